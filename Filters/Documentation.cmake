@@ -31,12 +31,13 @@ set(DOXYGEN_PREDEFINED
   "vtkTypeMacro(type,base)=using Superclass = base\;"
   "vtkAbstractTypeMacro(type,base)=using Superclass = base\;"
   "VTKACTIVEIO_EXPORT="
-  "ACTIVENARROWBAND_EXPORT="
-  "VTKACTIVEPOTENTIALS_EXPORT="
+  "ACTIVELEVELSET_EXPORT="
+  "VTKACTIVEPARTICLES_EXPORT="
+  "VTKACTIVESHAPES_EXPORT="
   "VTKACTIVESURFACES_EXPORT="
-  "ACTIVEVDB_EXPORT="
+  "ACTIVEFILES_EXPORT="
   "ACTIVE_ALWAYS_INLINE="
   "ACTIVE_INLINED=")
 
-doxygen_add_docs(documentation NarrowBand VDB Potentials Surfaces IO
+doxygen_add_docs(documentation LevelSet Files Particles Shapes Surfaces IO
   COMMENT "API pages in build folder/documentation/html")

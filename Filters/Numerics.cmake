@@ -1,4 +1,4 @@
-# The libraries without VTK, NarrowBand and VDB. They are the same for VTK's and ParaView's builds:
+# The libraries without VTK, LevelSet and Files. They are the same for VTK's and ParaView's builds:
 # with ACTIVE_NUMERICS one build takes them from another's folder, and builds them there.
 include(GenerateExportHeader)
 
@@ -29,22 +29,28 @@ function (active_add_numerics name)
   set(installed "${ACTIVE_HEADERS_DESTINATION}/${library_HEADERS_SUBDIR}")
   target_include_directories(${name} PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR};${CMAKE_CURRENT_BINARY_DIR}>"
-    "$<INSTALL_INTERFACE:${ACTIVE_HEADERS_DESTINATION}>")
+    "$<INSTALL_INTERFACE:${ACTIVE_HEADERS_DESTINATION};${installed}>")
 
   install(TARGETS ${name}
     EXPORT ActiveNumerics
     COMPONENT numerics
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   if (headers)
-    install(FILES ${headers} "${CMAKE_CURRENT_BINARY_DIR}/${name}Export.h"
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${name}Export.h"
       DESTINATION "${installed}"
       COMPONENT numerics)
   endif ()
+  foreach (header IN LISTS headers)
+    get_filename_component(room "${header}" DIRECTORY)
+    install(FILES "${header}"
+      DESTINATION "${installed}/${room}"
+      COMPONENT numerics)
+  endforeach ()
 endfunction ()
 
 if (NOT ACTIVE_NUMERICS)
-  add_subdirectory(NarrowBand)
-  add_subdirectory(VDB)
+  add_subdirectory(LevelSet)
+  add_subdirectory(Files)
   export(EXPORT ActiveNumerics
     NAMESPACE ActiveImplicitSurfaces::
     FILE "${PROJECT_BINARY_DIR}/ActiveNumerics.cmake")
@@ -63,11 +69,11 @@ if (NOT EXISTS "${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
 endif ()
 include("${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
 # Without it an edit of the numerics would not reach this build.
-get_target_property(narrow_band ActiveImplicitSurfaces::ActiveNarrowBand LOCATION)
-get_target_property(vdb ActiveImplicitSurfaces::ActiveVDB LOCATION)
+get_target_property(level_set ActiveImplicitSurfaces::ActiveLevelSet LOCATION)
+get_target_property(files ActiveImplicitSurfaces::ActiveFiles LOCATION)
 add_custom_target(numerics ALL
-  COMMAND "${CMAKE_COMMAND}" --build "${ACTIVE_NUMERICS}" --target ActiveNarrowBand ActiveVDB
-  BYPRODUCTS "${narrow_band}" "${vdb}"
+  COMMAND "${CMAKE_COMMAND}" --build "${ACTIVE_NUMERICS}" --target ActiveLevelSet ActiveFiles
+  BYPRODUCTS "${level_set}" "${files}"
   USES_TERMINAL
   COMMENT "Building the numerics in ${ACTIVE_NUMERICS}")
 install(CODE "execute_process(

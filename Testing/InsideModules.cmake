@@ -13,11 +13,12 @@ function (active_add_inside module)
   target_link_libraries(Inside${module} INTERFACE ${ARGN})
 endfunction ()
 
-active_add_inside(NarrowBand OpenVDB::openvdb TBB::tbb VTK::CommonCore)
-active_add_inside(VDB InsideNarrowBand VTK::CommonCore VTK::CommonDataModel)
-active_add_inside(Potentials InsideVDB VTK::CommonExecutionModel)
-active_add_inside(Surfaces InsidePotentials VTK::CommonMath VTK::IOXML VTK::ParallelCore)
-active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage VTK::ParallelCore
+active_add_inside(LevelSet OpenVDB::openvdb TBB::tbb VTK::CommonCore)
+active_add_inside(Files InsideLevelSet VTK::CommonCore VTK::CommonDataModel)
+active_add_inside(Particles InsideFiles VTK::CommonExecutionModel)
+active_add_inside(Shapes InsideParticles)
+active_add_inside(Surfaces InsideShapes VTK::CommonMath VTK::IOXML VTK::ParallelCore)
+active_add_inside(IO InsideShapes VTK::CommonMath VTK::IOImage VTK::ParallelCore
   OpenEXR::OpenEXR)
 
 # These targets include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).

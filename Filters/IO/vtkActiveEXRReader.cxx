@@ -1,9 +1,9 @@
 #define VTK_DEPRECATION_LEVEL 0 // MemoryBuffer, which VTK 9.6 deprecates
 #include "vtkActiveEXRReader.h"
 
+#include "Common/FileError.h"
+#include "Common/FileSeries.h"
 #include "EXR/EXRImage.h"
-#include "FileError.h"
-#include "FileSeries.h"
 
 #include "vtkImageData.h"
 #include "vtkImageReader2Factory.h"

@@ -1,9 +1,9 @@
 #include "vtkActiveEXRWriter.h"
 
+#include "Common/FileError.h"
+#include "Common/FileSeries.h"
 #include "EXR/EXRPlan.h"
 #include "EXR/EXRWriting.h"
-#include "FileError.h"
-#include "FileSeries.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

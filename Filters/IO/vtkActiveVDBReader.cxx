@@ -1,6 +1,6 @@
 #include "vtkActiveVDBReader.h"
 
-#include "FileSeries.h"
+#include "Common/FileSeries.h"
 #include "Grids/GridFacts.h"
 #include "Grids/ImageReading.h"
 #include "Grids/PointArrays.h"

@@ -39,7 +39,7 @@ vtk_build.check()
 _HAS_IO = "@ACTIVE_BUILD_IO@".upper() in ("1", "ON", "TRUE", "YES")
 
 try:
-    from .vtkActivePotentials import *
+    from .vtkActiveShapes import *
     from .vtkActiveSurfaces import *
 
     if _HAS_IO:

@@ -3,8 +3,8 @@
 
 #include "Support/AnalyticShapes.h"
 
+#include "Base/OpenVDB.h"
 #include "NarrowBandGrid.h"
-#include "OpenVDB.h"
 
 #include <algorithm>
 #include <cinttypes>

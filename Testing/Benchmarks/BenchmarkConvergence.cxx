@@ -16,9 +16,9 @@
 //   order: log of the ratio of the errors over log of the ratio of the voxel sizes, from the line
 //   above and from n = 32 to this line; 2 for a scheme of second order
 
+#include "Base/OpenVDB.h"
 #include "NarrowBand.h"
-#include "OpenVDB.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include <algorithm>
 #include <chrono>

@@ -15,8 +15,8 @@
 // with their spacing; the voxel is constant. Prints seconds per frame of the filter, which include
 // the search structure of the particles.
 
+#include "Base/OpenVDB.h"
 #include "Measuring.h"
-#include "OpenVDB.h"
 #include "Scenes.h"
 
 #include "vtkActiveImplicitSurface.h"

@@ -15,18 +15,18 @@
 // first ball or all balls begin to oscillate. Runs once without and once with a Tension that
 // smooths a third of a voxel. Prints seconds per substep, with the same steps in time.
 
+#include "Front/ConvergedLeaves.h"
+#include "Front/SamplePoints.h"
+#include "Front/StepForward.h"
+#include "Front/SubstepBuffers.h"
+#include "Front/TargetSpeed.h"
+#include "Front/TimeStep.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Measuring.h"
 #include "NarrowBandGrid.h"
 #include "Scenes.h"
-#include "Skin.h"
-#include "Substep/ConvergedLeaves.h"
-#include "Substep/SamplePoints.h"
-#include "Substep/StepForward.h"
-#include "Substep/SubstepBuffers.h"
-#include "Substep/TargetSpeed.h"
-#include "Substep/TimeStep.h"
+#include "Surface/Skin.h"
 
 #include <algorithm>
 #include <cmath>

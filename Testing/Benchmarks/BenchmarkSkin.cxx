@@ -11,9 +11,9 @@
 
 #include "Measuring.h"
 #include "NarrowBandGrid.h"
-#include "PotentialImage.h"
 #include "Scenes.h"
-#include "Skin.h"
+#include "Surface/PotentialImage.h"
+#include "Surface/Skin.h"
 
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"

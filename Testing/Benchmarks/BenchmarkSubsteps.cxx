@@ -14,10 +14,10 @@
 // by substeps of CFL 1 and less. Columns: error of the mean radius (of the centre, for the lag) in
 // voxels, its spread over the surface, substeps, milliseconds of processor time.
 
+#include "Base/OpenVDB.h"
 #include "Measuring.h"
-#include "OpenVDB.h"
 #include "Scenes.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "FuzzInput.h"
 
-#include "InitialFunction.h"
+#include "Base/InitialFunction.h"
 #include "NarrowBand.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "FuzzInput.h"
 
 #include "Simulation/StateFile.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include <stdexcept>
 

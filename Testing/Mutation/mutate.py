@@ -156,7 +156,7 @@ def write_tree(mutants, dropped):
         ):
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(source, target)
-    (TREE / "Filters/NarrowBand/ActiveMutant.h").write_text(
+    (TREE / "Filters/LevelSet/ActiveMutant.h").write_text(
         HEADER.replace("COUNT", str(len(mutants)))
     )
     by_file = defaultdict(list)
@@ -168,7 +168,7 @@ def write_tree(mutants, dropped):
         for number, mutant in own:
             lines[mutant["line"]] = mutant["text"].replace("@", str(number))
         first = next(i for i, line in enumerate(lines) if line.startswith("#include "))
-        header = TREE / "Filters/NarrowBand/ActiveMutant.h"
+        header = TREE / "Filters/LevelSet/ActiveMutant.h"
         lines[first] = f'#include "{header}"\n#line {first + 1}\n{lines[first]}'
         (TREE / name).write_text("\n".join(lines), encoding="utf-8")
 

@@ -1,116 +1,51 @@
-"""Includes that each room of Filters may have, for test_layering.py."""
+"""The rooms of Filters, for test_layering.py: one stack. A room may include those below it."""
 
-# Room: the rooms, and single files of other rooms, that it may include besides its own. A module's
-# own folder, such as "NarrowBand", is a room as well.
-NUMERICS = [
-    "NarrowBand/OpenVDB",
-    "NarrowBand/CompilerBuiltins",
-    "NarrowBand/InstructionSets",
-    "NarrowBand/Motion",
-    "NarrowBand/Obstacle",
-    "NarrowBand/PortableMath",
-    "NarrowBand/Target",
-    "NarrowBand/TargetRegion",
-]
-MAY_INCLUDE = {
-    "NarrowBand/Leaves": [
-        "NarrowBand/Domain",
-        "NarrowBand/OpenVDB",
-        "NarrowBand/CompilerBuiltins",
-        "NarrowBand/InstructionSets",
-    ],
-    "NarrowBand/Parts": [
-        *NUMERICS,
-        "NarrowBand/Leaves",
-        "NarrowBand/State",
-        "NarrowBand/InitialFunction",
-    ],
-    "NarrowBand/Substep": [
-        *NUMERICS,
-        "NarrowBand/Leaves",
-        "NarrowBand/Parts",
-        "NarrowBand/CubeTriangles",
-        "NarrowBand/FixedSum",
-        "NarrowBand/Trilinear",
-        "NarrowBand/Walls",
-    ],
-    "NarrowBand/Nodes": [
-        *NUMERICS,
-        "NarrowBand/FloatLanes",
-        "NarrowBand/IndexMap",
-        "NarrowBand/Leaves",
-        "NarrowBand/NodeTarget",
-        "NarrowBand/Domain",
-        "NarrowBand/RankBytes",
-        "NarrowBand/Substep",
-        "NarrowBand/Walls",
-    ],
-    "NarrowBand/State": [
-        *NUMERICS,
-        "NarrowBand/InitialFunction",
-        "NarrowBand/Leaves",
-        "NarrowBand/Walls",
-    ],
-    "NarrowBand/Ranks": [],
-    "NarrowBand/Arrival": [
-        *NUMERICS,
-        "NarrowBand/Leaves",
-    ],
-    "NarrowBand": [
-        "NarrowBand/Arrival",
-        "NarrowBand/Leaves",
-        "NarrowBand/Ranks",
-        "NarrowBand/Substep",
-        "NarrowBand/Nodes",
-        "NarrowBand/State",
-        "NarrowBand/Parts",
-    ],
-    "VDB/Validation": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins"],
-    "VDB": ["VDB/Validation", "NarrowBand"],
-    "Potentials/Nodes": [
-        "NarrowBand/CompilerBuiltins",
-        "NarrowBand/FloatLanes",
-        "NarrowBand/IndexMap",
-        "NarrowBand/InstructionSets",
-        "NarrowBand/NodeTarget",
-        "NarrowBand/Domain",
-        "NarrowBand/RankBytes",
-        "Potentials/NeighbourLimit",
-        "Potentials/ParallelTasks",
-        "Potentials/UnsetVector",
-    ],
-    "Potentials/Skeleton": [
-        "Potentials/PointGroups",
-        "Potentials/Skeleton",
-    ],
-    "Potentials/Grid": [
-        "Potentials/GridSamples",
-        "Potentials/MeshTriangles",
-        "Potentials/SurfaceSample",
-        "VDB",
-        "NarrowBand",
-    ],
-    "Potentials": [
-        "Potentials/Skeleton",
-        "Potentials/Nodes",
-        "Potentials/Grid",
-        "VDB",
-        "NarrowBand",
-    ],
-    "Surfaces/Targets": ["Surfaces/Ranks", "Potentials", "VDB", "NarrowBand"],
-    "Surfaces/Simulation": ["Surfaces/Targets", "Potentials", "VDB", "NarrowBand"],
-    "Surfaces/Ranks": ["Potentials/AttachedData", "Potentials/AttachedGrid", "VDB", "NarrowBand"],
-    "Surfaces/Pipeline": [
-        "Surfaces/Ranks",
-        "Surfaces/Simulation",
-        "Surfaces/Targets",
-        "Potentials",
-        "VDB",
-        "NarrowBand",
-    ],
-    "Surfaces": ["Surfaces/Pipeline", "Surfaces/Ranks", "Surfaces/Simulation", "Potentials"],
-    "IO/EXR": ["IO/FileError", "VDB"],
-    "IO/Grids": ["IO/FileError", "Potentials", "VDB", "NarrowBand"],
-    "IO": ["IO/EXR", "IO/Grids", "Potentials", "VDB", "NarrowBand"],
+# From the bottom up. A module's own folder, such as "LevelSet", is a room as well.
+STACK = (
+    "LevelSet/Base",
+    "LevelSet/Ranks",
+    "LevelSet/Leaves",
+    "LevelSet/Start",
+    "LevelSet/Front",
+    "LevelSet/Nodes",
+    "LevelSet/State",
+    "LevelSet",
+    "LevelSet/Surface",
+    "LevelSet/March",
+    "Files/Validation",
+    "Files",
+    "Particles/Index",
+    "Particles/Nodes",
+    "Particles/Frames",
+    "Particles",
+    "Shapes/Input",
+    "Shapes/Grid",
+    "Shapes",
+    "IO/Common",
+    "IO/EXR",
+    "IO/Grids",
+    "IO",
+    "Surfaces/Ranks",
+    "Surfaces/Targets",
+    "Surfaces/Simulation",
+    "Surfaces/Pipeline",
+    "Surfaces",
+)
+# Only their own module may include these.
+PRIVATE = {
+    "LevelSet/Leaves",
+    "LevelSet/Start",
+    "LevelSet/Front",
+    "LevelSet/Nodes",
+    "LevelSet/State",
+    "Files/Validation",
+    "Particles/Nodes",
 }
-MODULES = ("NarrowBand", "VDB", "Potentials", "Surfaces", "IO")
+# Modules of which the first may not include the second.
+APART = {("Surfaces", "IO")}
+# Rooms that know nothing of the project but these headers.
+ALONE = {
+    "Files/Validation": ("LevelSet/Base/OpenVDB", "LevelSet/Base/CompilerBuiltins"),
+    "IO/EXR": ("IO/Common/FileError", "Files/FileReplacement"),
+}
+MODULES = ("LevelSet", "Files", "Particles", "Shapes", "Surfaces", "IO")

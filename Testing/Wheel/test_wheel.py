@@ -36,7 +36,7 @@ def dynamic_section(library):
 class Contents(unittest.TestCase):
     def test_each_library_is_there_once(self):
         ours = sorted(path.name for path in PACKAGE.glob("libvtkActive*"))
-        modules = ("IO", "NarrowBand", "Potentials", "Surfaces", "VDB")
+        modules = ("Files", "IO", "LevelSet", "Particles", "Shapes", "Surfaces")
         self.assertEqual(ours, [f"libvtkActive{module}.so" for module in modules])
         stems = [path.name.partition("-")[0] for path in BUNDLED.iterdir()]
         self.assertEqual(len(stems), len(set(stems)), stems)

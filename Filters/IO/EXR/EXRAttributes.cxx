@@ -1,6 +1,6 @@
 #include "EXR/EXRAttributes.h"
 
-#include "FileError.h"
+#include "Common/FileError.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

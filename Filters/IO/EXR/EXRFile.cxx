@@ -1,7 +1,7 @@
 #include "EXR/EXRFile.h"
 
+#include "Common/FileError.h"
 #include "EXR/EXRHeaderScan.h"
-#include "FileError.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>

@@ -1,6 +1,6 @@
 #include "EXR/EXRHeaderScan.h"
 
-#include "FileError.h"
+#include "Common/FileError.h"
 
 #include <ImfChannelList.h>
 #include <ImfHeader.h>

@@ -1,7 +1,7 @@
 #include "EXR/EXRImage.h"
 
+#include "Common/FileError.h"
 #include "EXR/EXRAttributes.h"
-#include "FileError.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

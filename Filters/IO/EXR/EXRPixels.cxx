@@ -1,6 +1,6 @@
 #include "EXR/EXRPixels.h"
 
-#include "FileError.h"
+#include "Common/FileError.h"
 
 #include "vtkDataArray.h"
 

@@ -1,6 +1,6 @@
 #include "EXR/EXRPlan.h"
 
-#include "FileError.h"
+#include "Common/FileError.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

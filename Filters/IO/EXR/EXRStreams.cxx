@@ -1,6 +1,6 @@
 #include "EXR/EXRStreams.h"
 
-#include "FileError.h"
+#include "Common/FileError.h"
 
 #include <algorithm>
 #include <cerrno>

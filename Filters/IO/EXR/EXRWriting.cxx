@@ -1,9 +1,9 @@
 #include "EXR/EXRWriting.h"
 
+#include "Common/FileError.h"
 #include "EXR/EXRAttributes.h"
 #include "EXR/EXRHeaderScan.h"
 #include "EXR/EXRStreams.h"
-#include "FileError.h"
 #include "FileReplacement.h"
 
 #include "vtkSMPTools.h"

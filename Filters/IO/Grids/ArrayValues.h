@@ -3,7 +3,7 @@
 #ifndef ArrayValues_h
 #define ArrayValues_h
 
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkTypeTraits.h"

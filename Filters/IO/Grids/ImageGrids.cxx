@@ -1,8 +1,8 @@
 #include "Grids/ImageGrids.h"
 
+#include "Base/OpenVDB.h"
 #include "Grids/ArrayValues.h"
-#include "OpenVDB.h"
-#include "SkinDistance.h"
+#include "Surface/SkinDistance.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"

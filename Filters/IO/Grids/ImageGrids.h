@@ -3,7 +3,7 @@
 #ifndef ImageGrids_h
 #define ImageGrids_h
 
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
 
 class vtkDataArray;
 class vtkImageData;

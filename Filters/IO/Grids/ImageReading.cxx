@@ -1,7 +1,7 @@
 #include "Grids/ImageReading.h"
 
-#include "AttachedGrid.h"
 #include "Grids/ArrayValues.h"
+#include "Input/AttachedGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -1,7 +1,7 @@
 #include "Grids/PointArrays.h"
 
+#include "Base/OpenVDB.h"
 #include "Grids/ArrayValues.h"
-#include "OpenVDB.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

@@ -3,7 +3,7 @@
 #ifndef PointArrays_h
 #define PointArrays_h
 
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
 
 #include <cstdint>
 

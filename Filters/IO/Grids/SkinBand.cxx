@@ -1,8 +1,8 @@
 #include "Grids/SkinBand.h"
 
+#include "Base/OpenVDB.h"
 #include "NarrowBandGrid.h"
-#include "OpenVDB.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include <openvdb/math/Proximity.h>
 #include <openvdb/tools/SignedFloodFill.h>

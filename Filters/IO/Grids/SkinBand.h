@@ -11,8 +11,8 @@
 #ifndef SkinBand_h
 #define SkinBand_h
 
-#include "MeshBand.h"
-#include "SkinDistance.h"
+#include "Base/MeshBand.h"
+#include "Surface/SkinDistance.h"
 
 #include <array>
 #include <cstdint>

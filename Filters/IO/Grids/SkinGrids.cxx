@@ -1,7 +1,7 @@
 #include "Grids/SkinGrids.h"
 
+#include "Base/OpenVDB.h"
 #include "Grids/ArrayValues.h"
-#include "OpenVDB.h"
 
 #include "vtkDataArray.h"
 

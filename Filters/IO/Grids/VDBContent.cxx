@@ -1,10 +1,10 @@
 #include "Grids/VDBContent.h"
 
+#include "Base/LatticeOrigin.h"
 #include "Grids/ImageGrids.h"
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
-#include "LatticeOrigin.h"
-#include "MeshTriangles.h"
+#include "Input/MeshTriangles.h"
 #include "NarrowBand.h"
 #include "SavedGrid.h"
 

@@ -3,8 +3,8 @@
 #ifndef VDBContent_h
 #define VDBContent_h
 
-#include "AttachedData.h"
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
+#include "Input/AttachedData.h"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 #include "Grids/VDBOutput.h"
 
-#include "FileError.h"
+#include "Base/OpenVDB.h"
+#include "Common/FileError.h"
 #include "FileReplacement.h"
-#include "OpenVDB.h"
 #include "VDBFile.h"
 
 #include "vtkErrorCode.h"

@@ -3,7 +3,7 @@
 #ifndef VDBOutput_h
 #define VDBOutput_h
 
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "Pipeline/GivenShapes.h"
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Simulation/SurfaceSettings.h"
 
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // Updates of an input, and detection of changes upstream.
 
+#include "Input/WholeInput.h"
 #include "Pipeline/SurfaceInput.h"
-#include "WholeInput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDemandDrivenPipeline.h"

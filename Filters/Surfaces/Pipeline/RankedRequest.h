@@ -3,8 +3,8 @@
 #ifndef RankedRequest_h
 #define RankedRequest_h
 
-#include "Agreement.h"
 #include "Pipeline/SurfaceProperties.h"
+#include "Ranks/Agreement.h"
 #include "Simulation/Times.h"
 
 #include <functional>

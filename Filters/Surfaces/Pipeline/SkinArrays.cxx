@@ -1,7 +1,7 @@
 #include "Pipeline/SkinArrays.h"
 
 #include "NarrowBand.h"
-#include "SkinMotion.h"
+#include "Surface/SkinMotion.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"

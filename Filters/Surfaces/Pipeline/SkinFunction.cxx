@@ -1,7 +1,7 @@
 #include "Pipeline/SkinFunction.h"
 
 #include "Pipeline/SkinSamples.h"
-#include "SkinDistance.h"
+#include "Surface/SkinDistance.h"
 
 #include "vtkGridPotential.h"
 

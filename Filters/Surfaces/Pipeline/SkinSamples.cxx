@@ -1,6 +1,6 @@
 #include "Pipeline/SkinSamples.h"
 
-#include "SkinDistance.h"
+#include "Surface/SkinDistance.h"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #ifndef SkinSamples_h
 #define SkinSamples_h
 
-#include "GridSamples.h"
+#include "Grid/GridSamples.h"
 
 #include <array>
 #include <memory>

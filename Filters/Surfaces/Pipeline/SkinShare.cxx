@@ -1,7 +1,7 @@
 #include "Pipeline/SkinShare.h"
 
 #include "NarrowBand.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"

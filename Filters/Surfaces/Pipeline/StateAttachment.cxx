@@ -1,6 +1,6 @@
 #include "Pipeline/StateAttachment.h"
 
-#include "AttachedData.h"
+#include "Input/AttachedData.h"
 #include "NarrowBand.h"
 #include "Pipeline/PublishedInformation.h"
 #include "Pipeline/SkinArrays.h"

@@ -1,12 +1,12 @@
 #include "Pipeline/SurfaceInput.h"
 
-#include "AttachedData.h"
-#include "ParticleData.h"
+#include "Frames/ParticleData.h"
+#include "Input/AttachedData.h"
+#include "Input/WholeInput.h"
 #include "Targets/ContentSum.h"
 #include "Targets/HomeParticles.h"
 #include "Targets/InputKinds.h"
 #include "Targets/ParticleShape.h"
-#include "WholeInput.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"

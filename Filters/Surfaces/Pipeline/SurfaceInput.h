@@ -3,7 +3,7 @@
 #ifndef SurfaceInput_h
 #define SurfaceInput_h
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Ranks/PieceGather.h"
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"

@@ -1,9 +1,9 @@
 #include "Pipeline/SurfaceOutput.h"
 
 #include "NarrowBand.h"
-#include "PotentialImage.h"
 #include "Simulation/SurfaceHistory.h"
-#include "Skin.h"
+#include "Surface/PotentialImage.h"
+#include "Surface/Skin.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

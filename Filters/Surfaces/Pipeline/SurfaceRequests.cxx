@@ -1,5 +1,6 @@
 #include "Pipeline/SurfaceRequests.h"
 
+#include "Base/TimeSteps.h"
 #include "Pipeline/Compatibility.h"
 #include "Pipeline/GivenShapes.h"
 #include "Pipeline/PublishedInformation.h"
@@ -7,7 +8,6 @@
 #include "Pipeline/SkinArrays.h"
 #include "Ranks/ControllerCommunicator.h"
 #include "Ranks/RankedPipeline.h"
-#include "TimeSteps.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"

@@ -7,7 +7,6 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
-#include "Agreement.h"
 #include "Pipeline/InputClock.h"
 #include "Pipeline/OutputPorts.h"
 #include "Pipeline/PushedFrames.h"
@@ -16,6 +15,7 @@
 #include "Pipeline/TargetSteps.h"
 #include "Pipeline/UpdateUnderWay.h"
 #include "Pipeline/UserMessages.h"
+#include "Ranks/Agreement.h"
 
 #include <cstdint>
 #include <string>

@@ -3,8 +3,8 @@
 #ifndef ControllerCommunicator_h
 #define ControllerCommunicator_h
 
-#include "Agreement.h"
-#include "Communicator.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/Communicator.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,6 +1,6 @@
 #include "Ranks/InputPiece.h"
 
-#include "AttachedData.h"
+#include "Input/AttachedData.h"
 #include "Ranks/WholeOfPieces.h"
 
 #include "vtkAbstractArray.h"

@@ -1,7 +1,7 @@
 #include "Ranks/PieceBytes.h"
 
-#include "AttachedGrid.h"
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
+#include "Input/AttachedGrid.h"
 #include "Ranks/InputPiece.h"
 
 #include "vtkImageData.h"

@@ -3,7 +3,7 @@
 #ifndef PieceBytes_h
 #define PieceBytes_h
 
-#include "Communicator.h"
+#include "Ranks/Communicator.h"
 
 namespace activesurface
 {

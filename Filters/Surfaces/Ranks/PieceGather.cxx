@@ -1,6 +1,6 @@
 #include "Ranks/PieceGather.h"
 
-#include "AttachedData.h"
+#include "Input/AttachedData.h"
 #include "Ranks/PieceBytes.h"
 #include "Ranks/WholeOfPieces.h"
 

@@ -3,7 +3,7 @@
 #ifndef PieceGather_h
 #define PieceGather_h
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Ranks/InputPiece.h"
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 #ifndef BoxView_h
 #define BoxView_h
 
+#include "Base/Walls.h"
 #include "NarrowBand.h"
-#include "Walls.h"
 
 #include <array>
 #include <memory>

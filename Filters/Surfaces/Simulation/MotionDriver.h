@@ -3,9 +3,9 @@
 #ifndef MotionDriver_h
 #define MotionDriver_h
 
-#include "Arrival.h"
+#include "Base/Obstacle.h"
+#include "March/Arrival.h"
 #include "NarrowBand.h"
-#include "Obstacle.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"

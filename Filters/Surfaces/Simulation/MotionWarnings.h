@@ -3,7 +3,7 @@
 #ifndef MotionWarnings_h
 #define MotionWarnings_h
 
-#include "Motion.h"
+#include "Base/Motion.h"
 #include "Simulation/Times.h"
 #include "Simulation/Warnings.h"
 

@@ -1,6 +1,6 @@
 #include "Simulation/ParticleMoment.h"
 
-#include "ParallelTasks.h"
+#include "Index/ParallelTasks.h"
 #include "Targets/TargetFrames.h"
 
 #include <limits>

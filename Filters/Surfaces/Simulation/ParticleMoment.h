@@ -3,7 +3,7 @@
 #ifndef ParticleMoment_h
 #define ParticleMoment_h
 
-#include "Targets/ParticleMatches.h"
+#include "Frames/ParticleMatches.h"
 
 #include <vector>
 

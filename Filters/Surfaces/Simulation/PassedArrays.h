@@ -3,8 +3,8 @@
 #ifndef PassedArrays_h
 #define PassedArrays_h
 
+#include "Index/SkeletonKernel.h"
 #include "Simulation/ParticleMoment.h"
-#include "SkeletonKernel.h"
 
 #include <vector>
 

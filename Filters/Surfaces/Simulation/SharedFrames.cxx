@@ -1,14 +1,14 @@
 #include "Simulation/SharedFrames.h"
 
-#include "Domain.h"
-#include "IndexMap.h"
+#include "Base/IndexMap.h"
+#include "Frames/ParticleBytes.h"
+#include "Frames/ParticleFrame.h"
 #include "NarrowBand.h"
 #include "ParticleNodes.h"
+#include "Ranks/Domain.h"
 #include "Simulation/TargetBuilder.h"
 #include "Targets/HomeParticles.h"
 #include "Targets/NoShape.h"
-#include "Targets/ParticleBytes.h"
-#include "Targets/ParticleFrame.h"
 #include "Targets/ParticleShape.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #ifndef SharedFrames_h
 #define SharedFrames_h
 
+#include "Frames/ParticleMatches.h"
 #include "Targets/InputShape.h"
-#include "Targets/ParticleMatches.h"
 #include "Targets/TargetFrames.h"
 
 #include <memory>

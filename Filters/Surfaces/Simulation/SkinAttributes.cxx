@@ -1,8 +1,8 @@
 #include "Simulation/SkinAttributes.h"
 
-#include "Arrival.h"
+#include "March/Arrival.h"
 #include "NarrowBand.h"
-#include "SkinMotion.h"
+#include "Surface/SkinMotion.h"
 
 #include <cmath>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "Simulation/StateFile.h"
 
+#include "Base/OpenVDB.h"
 #include "FileReplacement.h"
-#include "OpenVDB.h"
 #include "SavedGrid.h"
 #include "VDBFile.h"
 

@@ -1,6 +1,6 @@
 #include "Simulation/SurfaceDomain.h"
 
-#include "LatticeOrigin.h"
+#include "Base/LatticeOrigin.h"
 #include "Simulation/SurfaceSettings.h"
 
 #include <algorithm>

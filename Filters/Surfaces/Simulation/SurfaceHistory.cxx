@@ -1,7 +1,7 @@
 #include "Simulation/SurfaceHistory.h"
 
 #include "NarrowBand.h"
-#include "SkinEvents.h"
+#include "Surface/SkinEvents.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "HistoryRow.h"
 #include "Simulation/Times.h"
-#include "SkinParts.h"
+#include "Surface/SkinParts.h"
 
 #include <cstddef>
 #include <memory>

@@ -4,11 +4,11 @@
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h
 
-#include "Motion.h"
+#include "Base/Motion.h"
+#include "Base/TimeSteps.h"
+#include "Index/SkeletonKernel.h"
 #include "ParticleModel.h"
 #include "Simulation/Times.h"
-#include "SkeletonKernel.h"
-#include "TimeSteps.h"
 
 #include <array>
 #include <cmath>

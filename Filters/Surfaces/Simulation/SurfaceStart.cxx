@@ -1,6 +1,6 @@
 #include "Simulation/SurfaceStart.h"
 
-#include "Obstacle.h"
+#include "Base/Obstacle.h"
 
 #include <algorithm>
 #include <atomic>

@@ -4,11 +4,11 @@
 #ifndef TargetBuilder_h
 #define TargetBuilder_h
 
+#include "Frames/ParticleFrame.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/ParticleFrame.h"
 #include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
 

@@ -1,8 +1,8 @@
 #include "Simulation/TargetCoverage.h"
 
 #include "BandPart.h"
+#include "Base/Obstacle.h"
 #include "NarrowBand.h"
-#include "Obstacle.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 

@@ -10,8 +10,8 @@
 #ifndef TargetCoverage_h
 #define TargetCoverage_h
 
-#include "Motion.h"
-#include "PointsOutside.h"
+#include "Base/Motion.h"
+#include "Surface/PointsOutside.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 #ifndef ValuesInUse_h
 #define ValuesInUse_h
 
-#include "Motion.h"
+#include "Base/Motion.h"
 
 namespace activesurface
 {

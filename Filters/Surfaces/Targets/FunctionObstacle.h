@@ -3,7 +3,7 @@
 #ifndef FunctionObstacle_h
 #define FunctionObstacle_h
 
-#include "Obstacle.h"
+#include "Base/Obstacle.h"
 
 #include <array>
 #include <memory>

@@ -3,7 +3,7 @@
 #include "Targets/BlendedTarget.h"
 #include "Targets/ShapeOptions.h"
 
-#include "AttachedData.h"
+#include "Input/AttachedData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"

@@ -1,6 +1,6 @@
 #include "Targets/GridParts.h"
 
-#include "LatticeParts.h"
+#include "Surface/LatticeParts.h"
 #include "Targets/PotentialTarget.h"
 
 #include "vtkGridPotential.h"

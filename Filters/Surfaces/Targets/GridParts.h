@@ -2,8 +2,8 @@
 #ifndef GridParts_h
 #define GridParts_h
 
-#include "InitialFunction.h"
-#include "TargetRegion.h"
+#include "Base/InitialFunction.h"
+#include "Base/TargetRegion.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "Targets/HomeParticles.h"
 
-#include "Targets/ParticleBytes.h"
+#include "Frames/ParticleBytes.h"
 
 #include <algorithm>
 #include <cstddef>

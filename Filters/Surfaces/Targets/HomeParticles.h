@@ -7,7 +7,7 @@
 #ifndef HomeParticles_h
 #define HomeParticles_h
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Targets/ParticleShape.h"
 
 #include <cstdint>

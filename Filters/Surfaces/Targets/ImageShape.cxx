@@ -1,6 +1,6 @@
 #include "Targets/ImageShape.h"
 
-#include "AttachedData.h"
+#include "Input/AttachedData.h"
 #include "Targets/GridFunction.h"
 #include "Targets/ImageLevel.h"
 #include "Targets/MovingTarget.h"

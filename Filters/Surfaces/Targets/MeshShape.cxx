@@ -1,6 +1,6 @@
 #include "Targets/MeshShape.h"
 
-#include "MeshTriangles.h"
+#include "Input/MeshTriangles.h"
 #include "Targets/GridFunction.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapePreparation.h"

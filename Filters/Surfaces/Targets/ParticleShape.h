@@ -2,9 +2,9 @@
 #ifndef ParticleShape_h
 #define ParticleShape_h
 
+#include "Frames/ParticleFrame.h"
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"
-#include "Targets/ParticleFrame.h"
 
 #include <utility>
 

@@ -7,10 +7,10 @@
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
 
-#include "NodeTarget.h"
+#include "Base/NodeTarget.h"
+#include "Index/Skeleton.h"
 #include "ParticleNodes.h"
 #include "ParticlePotential.h"
-#include "Skeleton.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"

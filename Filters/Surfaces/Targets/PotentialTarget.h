@@ -4,8 +4,8 @@
 #ifndef PotentialTarget_h
 #define PotentialTarget_h
 
-#include "InitialFunction.h"
-#include "Target.h"
+#include "Base/InitialFunction.h"
+#include "Base/Target.h"
 
 #include <limits>
 

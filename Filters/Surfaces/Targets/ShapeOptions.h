@@ -2,9 +2,9 @@
 #ifndef ShapeOptions_h
 #define ShapeOptions_h
 
+#include "Frames/PeriodicBox.h"
+#include "Index/SkeletonKernel.h"
 #include "ParticleModel.h"
-#include "SkeletonKernel.h"
-#include "Targets/PeriodicBox.h"
 #include "Targets/PotentialTarget.h"
 
 namespace activesurface

@@ -1,9 +1,9 @@
 #include "Targets/ShapePreparation.h"
 
-#include "Skeleton.h"
+#include "Frames/ParticleFrame.h"
+#include "Frames/ParticleSpacing.h"
+#include "Index/Skeleton.h"
 #include "Targets/InputShape.h"
-#include "Targets/ParticleFrame.h"
-#include "Targets/ParticleSpacing.h"
 
 #include <algorithm>
 #include <sstream>

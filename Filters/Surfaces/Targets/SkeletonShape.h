@@ -2,9 +2,9 @@
 #ifndef SkeletonShape_h
 #define SkeletonShape_h
 
+#include "Frames/ParticleFrame.h"
 #include "Targets/FunctionShape.h"
 #include "Targets/InputData.h"
-#include "Targets/ParticleFrame.h"
 
 namespace activesurface
 {

@@ -3,8 +3,8 @@
 #ifndef TargetFrames_h
 #define TargetFrames_h
 
+#include "ParticleTrack.h"
 #include "Targets/InputShape.h"
-#include "Targets/ParticleTrack.h"
 
 #include <memory>
 #include <string>

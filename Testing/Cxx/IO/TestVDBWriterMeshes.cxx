@@ -2,7 +2,7 @@
 // in vtkGridPotential.
 
 #include "IO/GridFiles.h"
-#include "Potentials/MeshShapes.h"
+#include "Shapes/MeshShapes.h"
 #include "Support/MessageCapture.h"
 #include "Support/OutputFiles.h"
 

@@ -7,8 +7,8 @@
 #include "Support/Point.h"
 #include "Support/UnitBox.h"
 
+#include "Base/Target.h"
 #include "NarrowBand.h"
-#include "Target.h"
 
 #include <functional>
 #include <vector>

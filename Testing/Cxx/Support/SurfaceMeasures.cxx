@@ -1,7 +1,7 @@
 #include "Support/SurfaceMeasures.h"
 
 #include "NarrowBandGrid.h"
-#include "Skin.h"
+#include "Surface/Skin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #ifndef ThreadRanks_h
 #define ThreadRanks_h
 
-#include "Agreement.h"
-#include "Communicator.h"
-#include "RankBytes.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/Communicator.h"
+#include "Ranks/RankBytes.h"
 
 #include <algorithm>
 #include <condition_variable>

@@ -4,7 +4,7 @@
 #ifndef UnitBox_h
 #define UnitBox_h
 
-#include "Motion.h"
+#include "Base/Motion.h"
 
 namespace activesurface
 {

@@ -3,7 +3,7 @@
 #include "Support/SurfaceMeasures.h"
 
 #include "Pipeline/SkinSamples.h"
-#include "SkinDistance.h"
+#include "Surface/SkinDistance.h"
 
 #include "vtkCellArray.h"
 #include "vtkGridPotential.h"

@@ -1,6 +1,6 @@
 // Collectives: all ranks report, stop and fail together, and no rank waits for one that has left.
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Pieces of an input, put together on each rank.
 
-#include "AttachedGrid.h"
-#include "OpenVDB.h"
+#include "Base/OpenVDB.h"
+#include "Input/AttachedGrid.h"
 #include "Ranks/PieceGather.h"
 #include "Support/ThreadRanks.h"
 

@@ -1,7 +1,7 @@
 // Kinds of input: each data set has one kind, and a separate target attracts like that of the
 // motion.
 
-#include "Potentials/MeshShapes.h"
+#include "Shapes/MeshShapes.h"
 #include "Simulation/TargetBuilder.h"
 #include "Support/Throws.h"
 #include "Targets/InputKinds.h"

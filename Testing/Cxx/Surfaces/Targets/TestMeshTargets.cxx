@@ -1,6 +1,6 @@
 // Warnings about a mesh or image as target: parts too thin for the voxels, and invalid polygons.
 
-#include "Potentials/MeshShapes.h"
+#include "Shapes/MeshShapes.h"
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"

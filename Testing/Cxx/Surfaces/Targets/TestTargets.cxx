@@ -4,7 +4,7 @@
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"
 
-#include "Skeleton.h"
+#include "Index/Skeleton.h"
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

@@ -1,0 +1,43 @@
+// Writes a file completely or not at all: under a temporary name in the same folder, which is
+// renamed on success.
+//
+//   FileReplacement file("a.vdb");
+//   write to file.GetTemporaryName(), throw if that fails
+//   file.Finish();
+
+#ifndef FileReplacement_h
+#define FileReplacement_h
+
+#include "ActiveFilesExport.h"
+
+#include <string>
+
+namespace activesurface
+{
+
+class ACTIVEFILES_EXPORT FileReplacement
+{
+public:
+  // Throws std::runtime_error if the name belongs to a folder or a device.
+  explicit FileReplacement(const std::string& name);
+
+  // Removes the temporary file unless Finish was called; an existing file is kept.
+  ~FileReplacement();
+
+  const std::string& GetTemporaryName() const { return this->TemporaryName; }
+
+  // Throws std::runtime_error, with the reason, if the file cannot be renamed.
+  void Finish();
+
+private:
+  FileReplacement(const FileReplacement&) = delete;
+  void operator=(const FileReplacement&) = delete;
+
+  std::string Name;
+  std::string TemporaryName;
+  bool Finished = false;
+};
+
+}
+
+#endif

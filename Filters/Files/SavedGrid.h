@@ -1,0 +1,26 @@
+/**
+ * Converts the state of a surface at a time step to a grid for files, and back.
+ */
+#ifndef SavedGrid_h
+#define SavedGrid_h
+
+#include "ActiveFilesExport.h"
+#include "Base/OpenVDB.h"
+#include "SavedState.h"
+
+namespace activesurface
+{
+
+/** Name of the grid. */
+constexpr const char* SavedGridName = "potential";
+
+/** Returns the band's grid (NarrowBandGrid.h) with the other values as metadata. The history has
+ * a line for each row. Numbers are hexadecimal, so none is rounded. */
+ACTIVEFILES_EXPORT openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state);
+
+/** Throws std::runtime_error for a grid that is not a saved state. */
+ACTIVEFILES_EXPORT SavedState ReadSavedGrid(const openvdb::FloatGrid& grid);
+
+}
+
+#endif

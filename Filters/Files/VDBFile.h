@@ -1,0 +1,69 @@
+/**
+ * Validates a .vdb file before OpenVDB reads it.
+ *
+ * OpenVDB's reader trusts the file: a flipped bit may make it allocate any amount of memory, loop
+ * for hours or read beyond its arrays. Validation checks every size field first, down to the last
+ * leaf. It builds no tree: it reads all masks and skips the values. A valid file is read without
+ * fault, whatever its values. Memory then stays within a few hundred times the file size.
+ */
+#ifndef VDBFile_h
+#define VDBFile_h
+
+#include "ActiveFilesExport.h"
+#include "Base/OpenVDB.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+/** A grid of a file. */
+struct ACTIVEFILES_EXPORT VDBGrid
+{
+  std::string Name;       //< grids of equal name have an index: name[1]
+  std::string UniqueName; //< in OpenVDB's form
+  std::string Type;       //< of the tree
+  bool IsHalf = false;
+  std::string Parent; //< unique name of the grid whose tree this one shares; else empty
+  openvdb::MetaMap::Ptr Metadata;
+  openvdb::math::Transform::Ptr Transform; //< null if it is not linear
+  bool IsKnown = false;                    //< true if the grid can be read
+  bool CanBeClipped = false;               //< true if leaves may be skipped
+
+  ///@{
+  /** 0, or empty, if the grid's type is unknown or its tree was not validated. */
+  std::uint64_t ActiveVoxels = 0;
+  std::uint64_t NumberOfLeaves = 0;
+  openvdb::CoordBBox ActiveBox;
+  ///@}
+
+  /** The value's type: float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points. */
+  const char* GetValueType() const;
+};
+
+struct VDBFile
+{
+  openvdb::MetaMap::Ptr Metadata;
+  std::vector<VDBGrid> Grids;
+};
+
+/**
+ * Validates a file and lists its grids. Without trees only the first bytes are read, if OpenVDB's
+ * io::File has written the file. Throws std::runtime_error, with a sentence that names the file,
+ * for a missing or damaged file. The same holds for a file older than OpenVDB 2 (version 222 of the
+ * format).
+ */
+ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
+
+/**
+ * Reads a grid of a file that was validated with its trees. If the grid can be clipped, only leaves
+ * that meet the box [world] are read. Throws std::runtime_error.
+ */
+ACTIVEFILES_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
+  const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+/**
+ * Reads metadata of a .vdb file after validating their sizes, which OpenVDB's reader trusts.
+ */
+#ifndef VDBMetadata_h
+#define VDBMetadata_h
+
+#include "Base/OpenVDB.h"
+
+#include <cstdint>
+
+namespace activesurface
+{
+
+class ByteSource;
+
+struct VDBMetadata
+{
+  openvdb::MetaMap::Ptr Values;
+  /** From the table of leaf sizes for delayed loading, if it exists. */
+  bool HasLeafSizes = false;
+  bool HasPackedSizes = false;
+  std::uint64_t NumberOfLeaves = 0;
+};
+
+/** Reads metadata from the current position. Throws std::runtime_error if they are damaged. */
+VDBMetadata ReadMetadata(ByteSource& source);
+
+}
+
+#endif

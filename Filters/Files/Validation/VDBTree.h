@@ -1,0 +1,72 @@
+/**
+ * Validates the topology of a .vdb tree without building it. Every size field is checked against
+ * the file, because OpenVDB's reader trusts it. Collects the active bounding box.
+ */
+#ifndef VDBTree_h
+#define VDBTree_h
+
+#include "Base/OpenVDB.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+class ByteSource;
+
+/** Storage of the values of a tree in a file. */
+struct VDBFormat
+{
+  enum Leaves
+  {
+    Values,
+    Bools,
+    Masks,
+    Points
+  };
+  Leaves Kind = Values;
+  std::uint32_t ValueSize = 0;   //< bytes, in memory
+  std::uint32_t StoredSize = 0;  //< bytes in the file, less as half floats
+  std::uint32_t Compression = 0; //< OpenVDB's flags
+};
+
+/** Bytes to skip to pass a leaf. */
+struct VDBLeafSize
+{
+  std::int8_t Scheme = 0;
+  std::int64_t Bytes = 0;
+};
+
+struct VDBTree
+{
+  struct Leaf
+  {
+    openvdb::Coord Origin;
+    std::array<std::uint64_t, 8> Active;
+  };
+
+  std::uint64_t ActiveVoxels = 0; //< including those of tiles
+  std::uint64_t ActiveTiles = 0;
+  std::uint64_t NumberOfLeaves = 0;
+  openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
+  std::vector<Leaf> Leaves;       //< in the order of the file
+  std::vector<VDBLeafSize> Sizes; //< of leaves of values
+};
+
+/** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */
+VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
+
+/** Validates the buffers that follow the topology, except those of points. */
+void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
+
+/**
+ * Skips `stored` bytes of a Blosc buffer. They have to unpack to `unpacked` bytes, or to the
+ * smallest size that OpenVDB compresses, which includes padding.
+ */
+void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
+
+}
+
+#endif

@@ -1,0 +1,55 @@
+/**
+ * Partition of a band among ranks: each rank has its own leaves, and those of other ranks around
+ * its space.
+ */
+#ifndef BandPart_h
+#define BandPart_h
+
+#include "ActiveLevelSetExport.h"
+#include "Front/SkinMeasure.h"
+#include "Leaves/LeafTable.h"
+#include "Ranks/Domain.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace activesurface
+{
+
+/** Facts of the whole band, and numbers of the vertices on this rank. */
+struct BandPart
+{
+  /** Vertices of a leaf: the number of the first vertex in the whole skin, and their edges. */
+  struct LeafVertices
+  {
+    NodeIndex Origin;
+    std::int64_t First;
+    std::array<LeafMask, 3> Edge; //< crossed edges, as in BandLeaf
+  };
+
+  std::shared_ptr<const Domain> Space;
+  std::size_t Crossings = 0; //< crossed edges of all ranks
+  std::size_t ActiveNodes = 0;
+  SkinMeasure Measure; //< [voxels]
+  /** First vertex of each own leaf that has vertices, in the table's order. */
+  std::vector<std::int64_t> FirstVertices;
+  std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
+
+  const Agreement& GetRanks() const { return this->Space->GetRanks(); }
+};
+
+/** Sums counts and measures over all ranks, and numbers the vertices. Collective. */
+std::shared_ptr<const BandPart> CountTogether(
+  const LeafTable& table, const std::shared_ptr<const Domain>& space);
+
+/** Returns the number of each vertex of a table in the whole skin. The number is -1 in leaves far
+ * from this rank's own, and on edges that the owner of the leaf does not have. part: null if the
+ * table is whole. */
+std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
+
+}
+
+#endif

@@ -1,0 +1,55 @@
+/**
+ * The initial shape of the surface.
+ */
+#ifndef InitialFunction_h
+#define InitialFunction_h
+
+#include "Base/TargetRegion.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace activesurface
+{
+
+/** Points near the zero set of a function. */
+struct SurfacePoints
+{
+  /** Visits the points (x y z). Empty: the points are unknown. */
+  std::function<void(const std::function<void(const double x[3])>& visit)> ForEach;
+
+  /** Every sign change of the function, except at walls, has a point within this distance along
+   * each axis [length]. */
+  double Reach = 0.0;
+
+  /** Box outside which the function is not negative. */
+  double Bounds[6] = {};
+
+  /** Walls may cut the shape off up to this far inside the bounds of the start [length]. */
+  double DepthOfWalls = 0.0;
+};
+
+/** A function of space, negative inside: values at `count` points (x y z each). */
+struct InitialFunction
+{
+  std::function<void(std::size_t count, const double* points, double* values)> Evaluate;
+  bool ThreadSafe = true;
+
+  /**
+   * Visits boxes that together contain the zero set. The cost of the start then depends on the
+   * boxes, not on the bounds. Outside the boxes the function keeps its sign and is not evaluated.
+   * Empty: the boxes are unknown, and the function is sampled everywhere within the bounds.
+   */
+  std::function<void(const RegionVisitor& visit)> ForEachRegion;
+
+  /**
+   * Points near the zero set, used in place of regions if present. The cost of the start then
+   * depends on the points. The result is bitwise identical to that without points.
+   */
+  SurfacePoints Surface;
+};
+
+}
+
+#endif

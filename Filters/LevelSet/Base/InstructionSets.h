@@ -1,0 +1,65 @@
+/**
+ * Instruction sets for which kernels (of rows, leaves and skeletons) are compiled, and the choice
+ * among them.
+ *
+ * At its first use the library chooses the best set of the processor, or the set named by the
+ * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor lacks
+ * is replaced by the best set below it. Results do not depend on the choice: rows are vectorised
+ * lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is off.
+ */
+#ifndef InstructionSets_h
+#define InstructionSets_h
+
+#include "ActiveLevelSetExport.h"
+#include "Base/CompilerBuiltins.h"
+
+namespace activesurface
+{
+
+enum class InstructionSet
+{
+  Baseline, //< SSE2 on x86-64
+  Avx2,
+  Avx512
+};
+
+/** Returns the set with which kernels run. */
+ACTIVELEVELSET_EXPORT InstructionSet GetInstructionSet();
+
+/** Chooses a set, or the best set below it that the processor has. Returns the choice, which
+ * applies to the whole program. Must not be called while a band, skin or skeleton is computed. */
+ACTIVELEVELSET_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
+
+/** A function object compiled for each instruction set. Its operator() and all functions that it
+ * calls must be ACTIVE_ALWAYS_INLINE. */
+template <class Kernel, class... Arguments>
+struct CompiledKernel
+{
+  static void Baseline(const Kernel& kernel, Arguments... arguments) { kernel(arguments...); }
+  ACTIVE_FOR_AVX2 static void Avx2(const Kernel& kernel, Arguments... arguments)
+  {
+    kernel(arguments...);
+  }
+  ACTIVE_FOR_AVX512 static void Avx512(const Kernel& kernel, Arguments... arguments)
+  {
+    kernel(arguments...);
+  }
+
+  using Function = void (*)(const Kernel&, Arguments...);
+  static Function GetBest()
+  {
+    const InstructionSet set = GetInstructionSet();
+    return set == InstructionSet::Avx512 ? Avx512 : set == InstructionSet::Avx2 ? Avx2 : Baseline;
+  }
+};
+
+/** Runs a kernel without arguments, compiled for the chosen instruction set. */
+template <class Kernel>
+void RunCompiled(const Kernel& kernel)
+{
+  CompiledKernel<Kernel>::GetBest()(kernel);
+}
+
+}
+
+#endif

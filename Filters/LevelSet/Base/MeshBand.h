@@ -1,0 +1,42 @@
+/**
+ * Distances to triangles at nodes near them, by OpenVDB's converter. Compilation of the converter
+ * takes half a minute, so only this library compiles it.
+ */
+#ifndef MeshBand_h
+#define MeshBand_h
+
+#include "ActiveLevelSetExport.h"
+#include "Base/OpenVDB.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+/** Triangles in the coordinates of a lattice [voxels]. */
+class ACTIVELEVELSET_EXPORT LatticeTriangles
+{
+public:
+  virtual ~LatticeTriangles();
+  virtual std::size_t GetNumberOfPoints() const = 0;
+  virtual std::size_t GetNumberOfTriangles() const = 0;
+  virtual openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const = 0;
+};
+
+/** Both grids have the identity as transform. */
+struct MeshBand
+{
+  static constexpr openvdb::Int32 NoTriangle = -1;
+
+  openvdb::FloatGrid::Ptr Distances; //< [voxels]; beyond the half width + or - the half width
+  openvdb::Int32Grid::Ptr Triangles; //< number of the nearest triangle, where Distances is active
+};
+
+/** Computes distances up to halfWidth [voxels] on either side. Signed distances are negative
+ * inside; their triangles have to be closed. */
+ACTIVELEVELSET_EXPORT MeshBand MakeMeshBand(
+  const LatticeTriangles& mesh, float halfWidth, bool isSigned);
+
+}
+
+#endif

@@ -1,0 +1,7 @@
+#include "Base/OpenVDB.h"
+
+// Functions that are not virtual and too long to be inlined everywhere.
+#define OpenVDB_Define(Name)                                                                       \
+  template openvdb::Grid<openvdb::Name>::Ptr openvdb::Grid<openvdb::Name>::create(                 \
+    openvdb::Name::Ptr);
+OpenVDB_ForEachTree(OpenVDB_Define)

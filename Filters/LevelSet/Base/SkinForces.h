@@ -1,0 +1,26 @@
+/**
+ * Inputs of the speed of the skin, except the surface.
+ */
+#ifndef SkinForces_h
+#define SkinForces_h
+
+#include "Base/Motion.h"
+#include "Base/Target.h"
+
+namespace activesurface
+{
+
+struct SkinForces
+{
+  const Motion& Strategy;
+  Target& Attractor;
+  double StartArea;
+  double StartVolume;
+  /** Times of the frames before and after the surface, for the node scheme. */
+  double Begin = 0.0;
+  double End = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,97 @@
+/**
+ * The target: the function whose level set attracts the surface.
+ */
+#ifndef Target_h
+#define Target_h
+
+#include "Base/TargetRegion.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+/** Results of a target at some points. */
+struct TargetResults
+{
+  /** F - iso, negative inside the target. A value that is not finite drops its sample point. */
+  double* Values = nullptr;
+  /** Upper bounds of the target slope |dF/dn|, which limits the time step: 1 for a distance, 0
+   * where F is constant. */
+  double* Slopes = nullptr;
+};
+
+class NodeTarget;
+
+class Target
+{
+public:
+  virtual ~Target() = default;
+
+  /**
+   * Sets the motion time of the next evaluations. Called by one thread at the beginning of each
+   * substep.
+   */
+  virtual void MoveTo(double time) { static_cast<void>(time); }
+
+  /**
+   * Returns true if results in a box (xmin xmax ymin ymax zmin zmax) may differ from those before
+   * the last MoveTo. Otherwise converged leaves in the box are not evaluated again.
+   */
+  virtual bool MayHaveChanged(const double bounds[6]) const
+  {
+    static_cast<void>(bounds);
+    return true;
+  }
+
+  /** Writes the results at `count` points (x y z each, world coordinates). The results of a point
+   * must be bitwise identical in any batch. */
+  virtual void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const = 0;
+
+  /** Returns true if ForEachRegion and ForEachPart together cover all new parts. */
+  virtual bool HasRegions() const { return false; }
+
+  /**
+   * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
+   * last MoveTo; one box that meets a part is enough. The boxes and their order must depend only on
+   * the time, otherwise a restart may create other parts. TargetRegion.h describes the cost. A part
+   * that touches the skin is not created, because the skin grows into it. Its boxes have to be
+   * visited again as long as the contact may end.
+   */
+  void ForEachRegion(const RegionVisitor& visit) const
+  {
+    this->VisitRegions(0, this->CountRegionSources(), visit);
+  }
+
+  ///@{
+  /** Visits regions by sources, for example particles, with any number of boxes each. first, end:
+   * the sources from first to end - 1. Thread-safe. */
+  virtual std::size_t CountRegionSources() const { return 0; }
+  virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
+  {
+    static_cast<void>(first);
+    static_cast<void>(end);
+    static_cast<void>(visit);
+  }
+  ///@}
+
+  /**
+   * Visits the parts and hollows of the shapes between which the target moves. Parts that the skin
+   * does not meet are created when the target reaches them. The order may be any that depends only
+   * on the time.
+   */
+  virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
+
+  /** Returns this target at lattice nodes, for TimeIntegration::Nodes; null if there is no such
+   * form. */
+  virtual NodeTarget* GetNodes() { return nullptr; }
+
+  /** Returns true if several threads may call Evaluate at once. */
+  virtual bool IsThreadSafe() const { return true; }
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+/**
+ * Selection of a step in a list of times.
+ */
+#ifndef TimeSteps_h
+#define TimeSteps_h
+
+#include "ActiveLevelSetExport.h"
+
+#include <vector>
+
+namespace activesurface
+{
+
+struct StepOfTime
+{
+  int Step = 0;         //< last step that is not after the time
+  double Time = 0.0;    //< time of the step; the requested time if it is between two steps
+  bool Between = false; //< after that step and before the next one
+};
+
+/**
+ * Finds the step of a time. steps: ascending, at least one. A time before the first step gives the
+ * first step, a time after the last step the last one. A time nearer to a step than a millionth of
+ * the interval gives that step, so that rounding (.1 + .2 for .3) does not miss it.
+ */
+ACTIVELEVELSET_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
+
+}
+
+#endif

@@ -1,0 +1,58 @@
+/**
+ * Detects converged leaves: their surface has reached its target or, with Tension, the balance of
+ * both.
+ *
+ * A leaf has converged if its surface is slower than a thousandth of a voxel times Attraction times
+ * L. Without Tension the speed is that of the target at the sample points, interpolated between the
+ * nodes. With Tension it is the rate of change of u at the nodes of crossed edges, divided by the
+ * gradient norm. These nodes move the surface, and they are not relaxed. A leaf that has converged
+ * together with its neighbours stays bitwise identical, except for the factor 2 that keeps gradient
+ * norms near 1. Further substeps would roughen the surface, and take time.
+ *
+ * Convergence is a rule of the scheme: it depends only on the potential and the target. Unaffected
+ * speeds are kept, so that a converged leaf costs very little; that does not change the result.
+ */
+#ifndef ConvergedLeaves_h
+#define ConvergedLeaves_h
+
+#include "Base/Target.h"
+#include "Front/TimeStep.h"
+#include "Leaves/LeafTable.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** Input of convergence, besides the potential and the target. */
+struct ConvergenceRule
+{
+  const Motion& Parameters;
+  double VoxelSize;
+  double TargetSlope; //< L, the largest |dF/dn| at the surface
+};
+
+/** Invalidates the speeds of all leaves. */
+void ForgetSpeeds(LeafTable& table);
+
+/** Invalidates the speeds of the leaves near which the target has changed. */
+void ForgetChanged(LeafTable& table, double voxelSize, const Target& target);
+
+/** Returns the leaves whose speeds are invalid. */
+LeafList FindUnknown(const LeafTable& table);
+
+/** Stores the speeds of leaves that have been sampled with their neighbours, except AtSurface. */
+void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffers& buffers);
+
+/** Returns the limits over all leaves, whose speeds have to be valid. */
+TargetLimits FindLimits(const LeafTable& table);
+
+/**
+ * Returns the leaves that have not converged. measured: leaves whose speeds have just been stored.
+ */
+LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const ConvergenceRule& rule,
+  const SubstepBuffers& buffers);
+
+}
+
+#endif

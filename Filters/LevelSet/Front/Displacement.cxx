@@ -1,0 +1,135 @@
+#include "Front/Displacement.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+float ValueAt(const LeafTable& table, const LeafTable::Place& place)
+{
+  return place.Leaf >= 0 ? table[place.Leaf].Value[place.Node] : table.BackgroundOf(place.Leaf);
+}
+
+double Difference(const LeafTable& table, const LeafTable::Place& place, int axis)
+{
+  const double ahead = ValueAt(table, table.Step(place.Leaf, place.Node, axis, 1));
+  const double behind = ValueAt(table, table.Step(place.Leaf, place.Node, axis, -1));
+  return .5 * (ahead - behind);
+}
+
+/** Component of the normal along an axis, at the fraction t of the edge between two nodes. */
+double NormalAlong(const LeafTable& table, const LeafTable::Place& lower,
+  const LeafTable::Place& upper, int axis, double t)
+{
+  double square = 0.0, along = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double component =
+      (1.0 - t) * Difference(table, lower, d) + t * Difference(table, upper, d);
+    square += component * component;
+    along = d == axis ? component : along;
+  }
+  return square > 0.0 ? along / std::sqrt(square) : 1.0;
+}
+
+}
+
+void Displacement::Begin(const LeafTable& table)
+{
+  this->Leaves.resize(table.Size());
+  this->Values.resize(512 * table.Size());
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const BandLeaf& leaf = table[i];
+      this->Leaves[i] = { leaf.Origin, leaf.Edge, leaf.Inside,
+        { leaf.Neighbour[FaceNumber(0, 1)], leaf.Neighbour[FaceNumber(1, 1)],
+          leaf.Neighbour[FaceNumber(2, 1)] } };
+      std::copy_n(leaf.Value, 512, this->Values.data() + 512 * i);
+    });
+}
+
+/**
+ * Calls function with the displacement [voxels] of each sample point whose edge is still crossed.
+ */
+template <class Function>
+void Displacement::ForEachPoint(const LeafTable& table, std::size_t i, Function&& function) const
+{
+  const Leaf& before = this->Leaves[i];
+  const std::int32_t now = table.Find(before.Origin);
+  for (int axis = 0; now >= 0 && axis < 3; ++axis)
+  {
+    const int stride = Stride(axis);
+    (before.Edge[axis] & table[now].Edge[axis])
+      .ForEach(
+        [&](int node)
+        {
+          if (before.Inside.Has(node) != table[now].Inside.Has(node))
+          {
+            return;
+          }
+          const bool within = (node / stride) % 8 < 7;
+          const std::size_t upperBefore = within
+            ? 512 * i + node + stride
+            : 512 * std::size_t(before.Next[axis]) + node - 7 * stride;
+          const double low = this->Values[512 * i + node], high = this->Values[upperBefore];
+          const LeafTable::Place lower{ now, node };
+          const LeafTable::Place upper = table.Step(now, node, axis, 1);
+          const double lowNow = ValueAt(table, lower), highNow = ValueAt(table, upper);
+          const double t = lowNow / (lowNow - highNow);
+          const double moved = t - low / (low - high);
+          function(std::fabs(moved * NormalAlong(table, lower, upper, axis, t)));
+        });
+  }
+}
+
+double Displacement::GetLargest(const LeafTable& table) const
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, this->Leaves.size(), 16), 0.0,
+    [&](const tbb::blocked_range<std::size_t>& leaves, double largest)
+    {
+      for (std::size_t i = leaves.begin(); i != leaves.end(); ++i)
+      {
+        this->ForEachPoint(
+          table, i, [&largest](double distance) { largest = std::max(largest, distance); });
+      }
+      return largest;
+    },
+    [](double a, double b) { return std::max(a, b); });
+}
+
+Displacement::Statistics Displacement::GetStatistics(const LeafTable& table, double distance) const
+{
+  std::size_t all = 0, found = 0, near = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < this->Leaves.size(); ++i)
+  {
+    for (const LeafMask& edges : this->Leaves[i].Edge)
+    {
+      all += edges.Count();
+    }
+    this->ForEachPoint(table, i,
+      [&](double moved)
+      {
+        sum += moved;
+        ++found;
+        near += moved <= distance ? 1 : 0;
+      });
+  }
+  if (all == 0)
+  {
+    return { 0.0, 0.0 };
+  }
+  const auto count = static_cast<double>(all);
+  return { static_cast<double>(all - near) / count,
+    (sum + static_cast<double>(all - found)) / count };
+}
+
+}

@@ -1,0 +1,44 @@
+/**
+ * Restores area or volume after each substep by a uniform displacement along the normal. This is a
+ * projection, without stiffness or offset. (An averaged speed in the equation of motion drifts by 7
+ * %.)
+ */
+#ifndef ExactControl_h
+#define ExactControl_h
+
+#include "Base/Motion.h"
+#include "Leaves/ActiveSet.h"
+
+#include <functional>
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** The controlled band; lengths in voxels. */
+struct ControlledBand
+{
+  LeafTable& Leaves;
+  ActiveSet& Set; //< capacity for all leaves, which each displacement moves
+  SubstepBuffers& Buffers;
+  std::function<void(ActiveSet&)> Rebuild; //< rebuilds layers and ghosts from the potential
+  const Walls& Box;
+  Obstacle* Solid; //< may be null
+  double VoxelSize;
+  int Rounds = 1; //< of a voxel and a half each, for long substeps
+};
+
+/**
+ * Moves the surface until the volume is restored to 1e-9, but by at most a voxel and a half per
+ * round.
+ */
+void RestoreVolume(const ControlledBand& band, double volume);
+
+/** Restores the area by the secant method: the gain of area per displacement may have either
+ * sign. */
+void RestoreArea(const ControlledBand& band, double area);
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+/**
+ * Makes a band follow its target: chooses the leaves to sample and to move in a substep, and
+ * applies the target's speed.
+ */
+#ifndef FollowTarget_h
+#define FollowTarget_h
+
+#include "Base/Motion.h"
+#include "Base/Target.h"
+#include "Front/TimeStep.h"
+#include "Leaves/ActiveSet.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+struct FollowingBand
+{
+  LeafTable& Leaves;
+  PotentialTree& Potential;
+  double VoxelSize;
+  ActiveSet& Set;
+  SubstepBuffers& Buffers;
+};
+
+/** Samples the target, which has been moved to the time, and chooses the active set. Sets the
+ * speed of nodes with samples in the affected leaves. Omits converged leaves if mayLeaveOut. */
+TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
+  const Target& target, AdvanceReport& report);
+
+/** Extends speeds to the active nodes of the affected leaves. */
+void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion);
+
+}
+
+#endif

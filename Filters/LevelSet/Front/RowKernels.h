@@ -1,0 +1,196 @@
+/**
+ * The terms of the evolution equation on a row of eight nodes.
+ *
+ * Plain loops without branches, which the compiler vectorises. u points at the row in a LeafBlock;
+ * differences are per voxel. Nothing is reduced across a row, and contraction to fused multiply-add
+ * is off, so results are bitwise identical for any vector width.
+ */
+#ifndef RowKernels_h
+#define RowKernels_h
+
+#include "Base/InstructionSets.h"
+#include "Leaves/LeafBlock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace activesurface
+{
+
+using RowMask = std::array<float, 8>; //< 1 where a bit is set, else 0
+
+constexpr std::array<RowMask, 256> MakeRowMasks()
+{
+  std::array<RowMask, 256> all{};
+  for (unsigned b = 0; b < 256; ++b)
+  {
+    for (unsigned z = 0; z < 8; ++z)
+    {
+      all[b][z] = (b >> z) & 1u ? 1.f : 0.f;
+    }
+  }
+  return all;
+}
+
+inline constexpr std::array<RowMask, 256> RowMasks = MakeRowMasks();
+
+/** The eight bits of a row as numbers 0 or 1. */
+ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
+{
+  return RowMasks[bits];
+}
+
+/** Returns the smaller magnitude of two numbers of the same sign, else 0. */
+ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
+{
+  return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
+}
+
+/** Godunov's upwind |du|^2 on one axis, for a surface that moves outward and inward. */
+struct UpwindSquares
+{
+  float Outward;
+  float Inward;
+};
+
+/** ENO2: one-sided differences, each corrected by the smaller neighbouring second difference. */
+ACTIVE_ALWAYS_INLINE UpwindSquares UpwindDifferences(const float* u, int stride)
+{
+  const float behind = u[0] - u[-stride];
+  const float ahead = u[stride] - u[0];
+  const float here = ahead - behind;
+  const float bendBehind = u[0] - 2.f * u[-stride] + u[-2 * stride];
+  const float bendAhead = u[0] - 2.f * u[stride] + u[2 * stride];
+  const float minus = behind + .5f * MinMod(here, bendBehind);
+  const float plus = ahead - .5f * MinMod(here, bendAhead);
+  const float outward = std::max(std::max(minus, -plus), 0.f);
+  const float inward = std::max(std::max(-minus, plus), 0.f);
+  return { outward * outward, inward * inward };
+}
+
+/** next -= advection * V * |grad u| + q * sign(u) * (|grad u| - 1). */
+ACTIVE_ALWAYS_INLINE void AddTransport(
+  const float* u, const float* speed, float advection, const RowMask& relaxation, float* next)
+{
+  for (int z = 0; z < 8; ++z)
+  {
+    const UpwindSquares x = UpwindDifferences(u + z, LeafBlock::X);
+    const UpwindSquares y = UpwindDifferences(u + z, LeafBlock::Y);
+    const UpwindSquares w = UpwindDifferences(u + z, LeafBlock::Z);
+    const float outward = std::sqrt(x.Outward + y.Outward + w.Outward);
+    const float inward = std::sqrt(x.Inward + y.Inward + w.Inward);
+    const float norm = speed[z] > 0.f ? outward : inward;
+    const float excess = u[z] < 0.f ? 1.f - inward : outward - 1.f;
+    next[z] -= advection * speed[z] * norm + relaxation[z] * excess;
+  }
+}
+
+/** Squared gradient norms by central differences. */
+ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
+{
+  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    const float* c = u + z;
+    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
+    squares[z] = gx * gx + gy * gy + gz * gz;
+  }
+}
+
+/** Counts gradient norms below 1/sqrt 2 and above sqrt 2, at the nodes of these bits. */
+ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& flat, int& steep)
+{
+  float squares[8];
+  CentralGradientSquares(u, squares);
+  const RowMask& counts = MaskOfBits(bits);
+  int flatter = 0, steeper = 0;
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    flatter += (counts[z] > 0.f ? 1 : 0) & (squares[z] < .5f ? 1 : 0);
+    steeper += (counts[z] > 0.f ? 1 : 0) & (squares[z] > 2.f ? 1 : 0);
+  }
+  flat += flatter;
+  steep += steeper;
+}
+
+/** next -= advection * V * |grad u|, by central differences, for comparison with the paper. */
+ACTIVE_ALWAYS_INLINE void AddCentralTransport(
+  const float* u, const float* speed, float advection, float* next)
+{
+  float squares[8];
+  CentralGradientSquares(u, squares);
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    next[z] -= advection * speed[z] * std::sqrt(squares[z]);
+  }
+}
+
+/** next += tensionAt(z) * kappa * |grad u|, kappa the sum of the principal curvatures, in
+ * voxels. */
+template <class TensionAt>
+ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionAt, float* next)
+{
+  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  for (int z = 0; z < 8; ++z)
+  {
+    const float* c = u + z;
+    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
+    const float hxx = c[X] - 2.f * c[0] + c[-X];
+    const float hyy = c[Y] - 2.f * c[0] + c[-Y];
+    const float hzz = c[Z] - 2.f * c[0] + c[-Z];
+    const float hxy = .25f * ((c[X + Y] - c[X - Y]) - (c[-X + Y] - c[-X - Y]));
+    const float hxz = .25f * ((c[X + Z] - c[X - Z]) - (c[-X + Z] - c[-X - Z]));
+    const float hyz = .25f * ((c[Y + Z] - c[Y - Z]) - (c[-Y + Z] - c[-Y - Z]));
+    const float square = gx * gx + gy * gy + gz * gz;
+    const float product = gx * gx * (hyy + hzz) + gy * gy * (hxx + hzz) + gz * gz * (hxx + hyy) -
+      2.f * (gx * gy * hxy + gy * gz * hyz + gx * gz * hxz);
+    // A vanishing gradient has no normal: use the mean over all normals.
+    const float size = std::fabs(hxx) + std::fabs(hyy) + std::fabs(hzz);
+    const bool regular = square > 1e-12f * size * size;
+    const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
+    next[z] += tensionAt(z) * rate;
+  }
+}
+
+ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
+{
+  AddTensionAt(
+    u, [tension](int) ACTIVE_INLINED { return tension; }, next);
+}
+
+/** Bound on |u| [voxels] of a sound potential; no single operation on smaller values overflows. */
+constexpr float UnboundedPotential = 1e12f;
+
+/** Returns nonzero if |u| of one of these nodes reaches UnboundedPotential or is NaN. */
+ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
+{
+  const RowMask& counts = MaskOfBits(nodes);
+  unsigned any = 0;
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    any |= (counts[z] > 0.f ? 1u : 0u) & (std::fabs(u[z]) < UnboundedPotential ? 0u : 1u);
+  }
+  return any;
+}
+
+/** Sets a row after a step: the new value at active nodes, else the old value. */
+ACTIVE_ALWAYS_INLINE void TakeActive(
+  const float* was, const float* is, unsigned active, float* next)
+{
+  const RowMask& takes = MaskOfBits(active);
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    const float old = was[z], now = is[z];
+    next[z] = takes[z] > 0.f ? now : old;
+  }
+}
+
+}
+
+#endif

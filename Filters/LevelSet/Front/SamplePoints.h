@@ -1,0 +1,39 @@
+/**
+ * Points at which the target is evaluated: the surface's crossings of lattice edges (paper, section
+ * 4.3), and the points of single nodes (NodePoints.h).
+ */
+#ifndef SamplePoints_h
+#define SamplePoints_h
+
+#include "Base/Target.h"
+#include "Front/NodePoints.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** Result of SampleLeaves. */
+struct TargetSamples
+{
+  std::size_t Count = 0;
+  std::size_t Dropped = 0; //< values that are not finite
+};
+
+/**
+ * Evaluates the target once at each point of these leaves, leaf by leaf. The crossings come first,
+ * axis by axis, by the lower node of the edge; u is linear on the edges. Then come the points of
+ * single nodes. Fills Samples and LargestTargetSlope.
+ */
+TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers);
+
+/** Samples only the given leaves that have not been sampled; keeps the other samples. */
+TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers);
+
+}
+
+#endif

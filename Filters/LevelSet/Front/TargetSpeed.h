@@ -1,0 +1,42 @@
+/**
+ * The target's speed at every active node, from the sample points (paper, section 4.3, corrected).
+ *
+ * The speed of a node with crossed edges is the mean over their sample points weighted by 1/t^2.
+ * Here t is the fraction of the edge from the node to the crossing. For a plane the mean is the
+ * value at the exact closest point. From these nodes the speed is extended outward, sweep by sweep.
+ * It is the mean over the known neighbours, weighted by the difference of the distances to the
+ * surface.
+ */
+#ifndef TargetSpeed_h
+#define TargetSpeed_h
+
+#include "Base/Motion.h"
+#include "Leaves/ActiveSet.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/**
+ * Fills SpeedOf = Attraction * (iso - F) at the nodes of these leaves that have samples or a point
+ * of their own (NodePoints.h), and LargestSpeed. The speed is 0 if all samples were dropped. These
+ * leaves, and the leaves before them along the axes, have to be sampled first.
+ */
+void ApplySamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
+
+/** Extends the speed to the active nodes of the affected leaves. */
+void ExtendSpeed(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
+
+/** Returns true for a cancelled attraction: a target out of reach pulls inward everywhere with
+ * bitwise identical speed, which an exact control cancels. All leaves have to be sampled. */
+bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers);
+
+/** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */
+float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers);
+
+}
+
+#endif

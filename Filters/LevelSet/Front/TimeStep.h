@@ -1,0 +1,66 @@
+/**
+ * The stable length of a substep, and its coefficient of reinitialisation.
+ */
+#ifndef TimeStep_h
+#define TimeStep_h
+
+#include "Base/Motion.h"
+#include "Front/SkinMeasure.h"
+
+namespace activesurface
+{
+
+/** Limits that the target puts on the step. */
+struct TargetLimits
+{
+  double Speed = 0.0;       //< largest |target speed| [length/time]
+  double TargetSlope = 0.0; //< largest |dF/dn|
+};
+
+/** Effect of the penalties. */
+struct PenaltyForce
+{
+  double Speed = 0.0; //< uniform, outward [length/time]
+  double Rate = 0.0;  //< added to the rate that limits the time step [1/time]
+};
+
+/** now, start: measures of the skin, in world units. */
+PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start);
+
+/** The value to conserve: the property, or the value at the start. Throws std::invalid_argument
+ * if there is none. */
+double HeldArea(const Motion& motion, const SkinMeasure& start);
+double HeldVolume(const Motion& motion, const SkinMeasure& start);
+
+/** Rate at which tracking the target limits the time step. */
+double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
+
+/** The largest stable step; infinite if nothing moves. */
+double StableStep(
+  const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty);
+
+/** The coefficient q of the reinitialisation term. */
+double RelaxationFor(double tracking, double advection);
+
+/** Throws std::invalid_argument for invalid parameters. */
+void CheckMotion(const Motion& motion);
+
+/** Throws std::runtime_error if the remaining time needs more than a million of these steps, or if
+ * the step is too small for single precision. */
+void CheckStep(double step, double voxelSize, double remaining);
+
+/** Throws std::runtime_error if a band has too many active nodes. */
+void CheckSize(std::size_t count, std::size_t maximum);
+
+/** Throws std::runtime_error if the potential would be unbounded after the substep that begins
+ * at `time`. Called before the next potential is committed, so that the last one stays. One
+ * check is enough: measures, output and displacements of a bounded potential are finite, and
+ * the paper's scheme clamps. */
+void CheckBounded(bool isUnbounded, double time);
+
+/** The factor from a speed to voxels per step. */
+float AdvectionFactor(double step, double voxelSize);
+
+}
+
+#endif

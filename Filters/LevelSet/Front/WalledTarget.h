@@ -1,0 +1,86 @@
+/**
+ * Walls and obstacle: the surface stays inside the box and outside the obstacle.
+ *
+ * The target is cut off at walls and obstacle, so the surface stops by itself. Other motions
+ * (Tension, controls) are stopped by clamping the potential at the distance to the walls or at the
+ * obstacle's depth. Both are evaluated at the same nodes, so a steady surface stays steady. The
+ * clamp without the cut ends in the same position. But then the speed of a surface pressed on a
+ * wall stays large and limits the time step, which costs 3 to 15 times as many substeps.
+ */
+#ifndef WalledTarget_h
+#define WalledTarget_h
+
+#include "Base/Obstacle.h"
+#include "Base/Target.h"
+#include "Base/Walls.h"
+#include "Leaves/ActiveSet.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** A target within walls and outside an obstacle. */
+class WalledTarget : public Target
+{
+public:
+  /** The caller owns all arguments; obstacle may be null. */
+  WalledTarget(Target& target, const Walls& walls, const Obstacle* obstacle = nullptr)
+    : Within(target)
+    , Box(walls)
+    , Solid(obstacle)
+  {
+  }
+
+  /** Returns true if there are walls or an obstacle. */
+  bool IsCut() const { return this->Box.Present || this->Solid; }
+
+  void MoveTo(double time) override { this->Within.MoveTo(time); }
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return this->Within.MayHaveChanged(bounds);
+  }
+  void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const override;
+  bool HasRegions() const override { return this->Within.HasRegions(); }
+  std::size_t CountRegionSources() const override { return this->Within.CountRegionSources(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override
+  {
+    this->Within.VisitRegions(first, end, visit);
+  }
+  void ForEachPart(const PartVisitor& visit) const override { this->Within.ForEachPart(visit); }
+  bool IsThreadSafe() const override
+  {
+    return this->Within.IsThreadSafe() && (!this->Solid || this->Solid->IsThreadSafe());
+  }
+
+private:
+  double DistanceBeyond(const double x[3]) const;
+
+  Target& Within;
+  const Walls& Box;
+  const Obstacle* Solid;
+};
+
+/** Walls and obstacle of the surface. */
+struct SurfaceBounds
+{
+  const Walls& Box;
+  Obstacle* Solid; //< null: none
+  double VoxelSize;
+};
+
+/** Clamps Next at all active nodes of the active leaves to at least the distance to the walls
+ * and the depth in the obstacle [voxels]. Called after each write to Next, before CommitStep.
+ * Leaves unknown to the obstacle are sampled. Other leaves cost only a test if they are farther
+ * away than its Reach. */
+void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
+  SubstepBuffers& buffers);
+
+/** Samples the obstacle (or null) in all leaves, before a substep changes anything. Throws
+ * std::runtime_error if the obstacle is NaN in one of them. */
+void CheckObstacle(const LeafTable& table, Obstacle* obstacle);
+
+}
+
+#endif

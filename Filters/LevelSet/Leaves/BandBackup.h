@@ -1,0 +1,30 @@
+/**
+ * A copy of a band before a substep, for an error that interrupts the substep.
+ */
+#ifndef BandBackup_h
+#define BandBackup_h
+
+#include "Base/OpenVDB.h"
+
+namespace activesurface
+{
+
+class BandBackup
+{
+public:
+  /** Drops the copy. */
+  void Forget() { this->Tree.reset(); }
+
+  /** Copies the tree unless a copy is kept. */
+  void Keep(const PotentialTree& tree);
+
+  /** Returns the copy, or null. */
+  openvdb::FloatTree::Ptr Get() const { return this->Tree; }
+
+private:
+  openvdb::FloatTree::Ptr Tree;
+};
+
+}
+
+#endif

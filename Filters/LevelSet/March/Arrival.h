@@ -1,0 +1,60 @@
+/**
+ * A metamorphosis that arrives on time: the surface reaches a static target at a given time,
+ * everywhere and from any start.
+ *
+ * The speed of a part of the surface is its remaining distance over the remaining time: V = -F /
+ * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
+ * distance along the part (Arrival/RemainingDistance.h), so that thin limbs grow evenly too.
+ * Attraction makes this speed. Its rate is constant in each of many short intervals, and distances
+ * have fallen as required at the end of each interval.
+ */
+#ifndef Arrival_h
+#define Arrival_h
+
+#include "ActiveLevelSetExport.h"
+#include "Base/Motion.h"
+#include "Base/Target.h"
+
+#include <memory>
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+struct SkinForces;
+
+/** Creates a small core for each part and each hollow of the target that the surface does not
+ * reach. Precedes the first Advance. Parts that the target does not report are searched for within
+ * the bounds (xmin xmax ymin ymax zmin zmax), on a lattice of at most 64 nodes along an axis.
+ * Returns the number of created parts. */
+ACTIVELEVELSET_EXPORT std::size_t CreateCores(
+  NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);
+
+class ACTIVELEVELSET_EXPORT Arrival
+{
+public:
+  /** The caller owns the target. Remaining distances are computed for the current surface, within
+   * the bounds; beyond the bounds the distance is |F|. */
+  Arrival(const NarrowBand& band, Target& target, const double bounds[6]);
+  ~Arrival();
+
+  /** NarrowBand::Advance for a surface that arrives at the time `end`. Before `end` the Attraction
+   * of the motion is ignored and no parts are created. */
+  AdvanceReport Advance(NarrowBand& band, double time, double end, const Motion& motion,
+    const ProgressFunction& progress = {}) const;
+
+  /** activesurface::FindSpeeds at a time before `end`. */
+  std::vector<float> FindSpeeds(const NarrowBand& band, double end, const SkinForces& forces) const;
+
+private:
+  Arrival(const Arrival&) = delete;
+  void operator=(const Arrival&) = delete;
+
+  struct Members;
+  const std::unique_ptr<Members> State;
+};
+
+}
+
+#endif

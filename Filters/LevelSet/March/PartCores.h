@@ -1,0 +1,48 @@
+/**
+ * Cores of parts and voids that only the target has. A surface grows from each core until it
+ * arrives.
+ */
+#ifndef PartCores_h
+#define PartCores_h
+
+#include "March/DifferingNodes.h"
+
+#include <vector>
+
+namespace activesurface
+{
+
+/** A ball at the deepest point of a part, inside the target, or of a void, outside the target. */
+struct PartCore
+{
+  std::array<double, 3> Centre;
+  double Radius;
+  bool IsHollow;
+};
+
+/** Returns a core for each part that the surface does not reach. Parts are those that the target
+ * reports, and those found on a lattice of at most 64 nodes an axis. */
+std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
+
+/** A target that consists only of the cores. */
+class CoreTarget : public Target
+{
+public:
+  explicit CoreTarget(const std::vector<PartCore>& cores)
+    : Cores(cores)
+  {
+  }
+
+  bool HasRegions() const override { return true; }
+  std::size_t CountRegionSources() const override { return this->Cores.size(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
+  void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const override;
+
+private:
+  const std::vector<PartCore>& Cores;
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+/**
+ * Remaining distance of the surface at a point, along paths between the surface and its target. A
+ * path ends at the farthest point of the target that the surface reaches through the given point.
+ *
+ * With T(y) the distance of a node from the surface along such paths, and d(x,y) that of two nodes,
+ *
+ *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
+ *
+ * K is T(y) - T(x) if y is reached through x, and smaller beside that path. A front of speed K /
+ * (remaining time) is flat, however thin the part that it fills, and arrives everywhere at once. If
+ * y is in the middle of a vanishing part, and d(x,y) is longer by less than a tenth, K is d(x,y).
+ * Such a point x is a bump: it has to move farther than its neighbours, or it would grow. Near the
+ * surface K is about |F| if the target is a distance.
+ */
+#ifndef RemainingDistance_h
+#define RemainingDistance_h
+
+#include "March/DifferingNodes.h"
+
+namespace activesurface
+{
+
+class RemainingDistance
+{
+public:
+  /** Leaves all distances undefined if the lattice would need too many nodes. */
+  explicit RemainingDistance(const ArrivalSearch& search);
+
+  /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at
+   * which the surface still has to grow or shrink. Returns a negative number if no node is
+   * near. */
+  void Find(std::size_t count, const double* points, const bool* grow, double* distances) const;
+
+private:
+  void Keep(DifferingNodes& nodes);
+  void ExtendBehindSurface(const DifferingNodes& nodes, std::size_t i, double distance);
+
+  double Spacing = 1.0;
+  openvdb::FloatTree Growing{ -1.f };
+  openvdb::FloatTree Shrinking{ -1.f };
+};
+
+}
+
+#endif

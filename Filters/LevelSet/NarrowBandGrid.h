@@ -1,0 +1,32 @@
+/**
+ * The potential of a NarrowBand as an OpenVDB grid, for reading and for files.
+ */
+#ifndef NarrowBandGrid_h
+#define NarrowBandGrid_h
+
+#include "Base/OpenVDB.h"
+#include "NarrowBand.h"
+
+#include <memory>
+
+namespace activesurface
+{
+
+/** Returns u = phi / VoxelSize. The active mask is the band; ghosts are inactive values in the same
+ * leaves. */
+ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand& band);
+
+///@{
+/**
+ * Convert the state to a grid for files, and back, without loss. The grid has the potential at the
+ * active nodes (without ghosts at all nodes of the layers), + or - the background elsewhere, and
+ * the other members as metadata, except GetWork. FromGrid throws std::runtime_error for any other
+ * grid.
+ */
+ACTIVELEVELSET_EXPORT openvdb::FloatGrid::Ptr ToGrid(const NarrowBand& band);
+ACTIVELEVELSET_EXPORT std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);
+///@}
+
+}
+
+#endif

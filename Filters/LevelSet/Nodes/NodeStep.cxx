@@ -1,0 +1,337 @@
+#include "Nodes/NodeStep.h"
+
+#include "Nodes/PeriodicLattice.h"
+
+#include "Base/Obstacle.h"
+#include "Base/OpenVDB.h"
+#include "Front/TimeStep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
+constexpr double ReachOfLeaf = 6.1 + NodeLimit;
+
+/** Leaves in which no particle moves keep their bytes if they change by less than this times
+ * Attraction dt [voxels]. */
+constexpr float RestingChange = 3e-4f;
+
+NodeIndex CentreOf(const NodeIndex& origin)
+{
+  return { origin[0] + 4, origin[1] + 4, origin[2] + 4 };
+}
+
+double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return DistanceToWalls(walls, place) / voxelSize;
+}
+
+double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return solid.DepthAt(place) / voxelSize;
+}
+
+/** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in
+ * parallel if isThreadSafe. */
+template <class Function>
+void ForEachBeyond(
+  const NodeLeaves& leaves, const PeriodicLattice& lattice, bool isThreadSafe, Function&& function)
+{
+  const auto visit = [&](std::size_t i)
+  {
+    if (!lattice.IsWithin(leaves[i].Origin))
+    {
+      function(i, leaves[i].Origin);
+    }
+  };
+  if (isThreadSafe)
+  {
+    leaves.ForEach(visit);
+    return;
+  }
+  for (std::size_t i = 0; i < leaves.Size(); ++i)
+  {
+    visit(i);
+  }
+}
+
+}
+
+openvdb::FloatTree::Ptr NodeStep::Make(
+  const NodeFrame& frame, const Motion& motion, NodeTarget& target)
+{
+  target.PlaceNodes({ frame.Begin, frame.End, motion.Transport, frame.VoxelSize, frame.Space });
+  this->FindLeaves(frame, motion, target);
+  this->Evaluate(target);
+  this->Halo.Refresh(this->Room);
+  FindDistances(this->Leaves, this->Room, this->Psi);
+  this->Confine(this->Psi, frame, motion);
+  this->FetchOld(frame, target);
+  this->Carry(frame, target);
+  StageCoefficients law;
+  law.Decay = static_cast<float>(motion.Attraction * frame.Duration);
+  law.Tension =
+    static_cast<float>(motion.Tension * frame.Duration / (frame.VoxelSize * frame.VoxelSize));
+  law.Noise = target.GetNoise();
+  law.IsWeighted = motion.WeightedTension;
+  RunStages(
+    { this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room, this->Halo },
+    law);
+  this->Confine(this->Potential, frame, motion);
+  this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
+  this->Repeat(frame, motion, target);
+  this->Halo.Refresh(this->Potential);
+  return this->MakeTree(frame, motion);
+}
+
+std::size_t NodeStep::CountEvaluations() const
+{
+  std::size_t rows = 0;
+  for (const ShellLeaf& leaf : this->Near.Leaves)
+  {
+    rows += static_cast<std::size_t>(CountBits(leaf.Rows));
+  }
+  return 8 * rows;
+}
+
+void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
+{
+  const bool isConfined = motion.Box.Present || motion.Solid;
+  target.FindShell(isConfined || frame.Space, this->Near);
+  // A leaf that the surface crosses has at least an eighth of its nodes active.
+  constexpr std::size_t fewestNodes = 64, margin = 4;
+  CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
+  if (isConfined)
+  {
+    this->AddConfined(frame, motion);
+  }
+  const std::size_t own = this->Halo.Find(frame.Space, this->Near.Leaves);
+  if (motion.Solid)
+  {
+    this->SampleSolid(own, *motion.Solid);
+  }
+  this->Leaves.Adopt(this->Near.Leaves, own, !motion.Solid || motion.Solid->IsThreadSafe(),
+    [&](const NodeIndex& origin)
+    { return target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion); });
+  const std::size_t count = this->Leaves.Size();
+  this->Potential.MakeRoom(count);
+  this->Room.MakeRoom(count);
+  this->Psi.MakeRoom(count);
+  this->Bulk.resize(count);
+  this->IsFar.resize(count);
+  this->IsStill.assign(count, 0);
+}
+
+/** Adds leaves inside the target that the surface of a wall or of the obstacle may cross. */
+void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
+{
+  std::vector<ShellLeaf>& shell = this->Near.Leaves;
+  for (const NodeIndex& origin : this->Near.InsideLeaves)
+  {
+    const NodeIndex centre = CentreOf(origin);
+    const bool isAtWall = motion.Box.Present &&
+      std::fabs(DepthInWalls(motion.Box, centre, frame.VoxelSize)) < 2.0 * ReachOfLeaf;
+    const bool isAtSolid = motion.Solid &&
+      std::fabs(DepthInObstacle(*motion.Solid, centre, frame.VoxelSize)) < Obstacle::Reach;
+    if (isAtWall || isAtSolid)
+    {
+      shell.push_back({ origin, 0, ~std::uint64_t(0) });
+    }
+  }
+  std::sort(shell.begin(), shell.end(),
+    [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
+}
+
+void NodeStep::SampleSolid(std::size_t own, Obstacle& solid) const
+{
+  std::vector<Obstacle::LeafOrigin> origins;
+  std::transform(this->Near.Leaves.begin(),
+    this->Near.Leaves.begin() + static_cast<std::ptrdiff_t>(own), std::back_inserter(origins),
+    [](const ShellLeaf& leaf) { return leaf.Origin; });
+  solid.SampleLeaves(origins);
+  solid.Check();
+}
+
+bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
+{
+  const NodeIndex centre = CentreOf(origin);
+  return (motion.Box.Present && DepthInWalls(motion.Box, centre, frame.VoxelSize) > 0.0) ||
+    (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
+}
+
+/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if neither is
+ * near. */
+bool NodeStep::FindDepths(
+  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
+{
+  const bool isAtWall = motion.Box.Present &&
+    DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
+  const float* solid = motion.Solid ? motion.Solid->FindDepths(origin) : nullptr;
+  if (!isAtWall && !solid)
+  {
+    return false;
+  }
+  for (int n = 0; n < 512; ++n)
+  {
+    const NodeIndex node = { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) };
+    const float wall =
+      isAtWall ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize)) : -HUGE_VALF;
+    depths[n] = std::max(wall, solid ? solid[n] : -HUGE_VALF);
+  }
+  return true;
+}
+
+/** Writes G to Room; rows outside the shell get + or - 1. */
+void NodeStep::Evaluate(const NodeTarget& target)
+{
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const NodeLeaf& leaf = this->Leaves[i];
+      float* values = this->Room.Of(i);
+      target.EvaluateLeaf(leaf, values);
+      for (int row = 0; row < 64; ++row)
+      {
+        if (!((leaf.Rows >> row) & 1))
+        {
+          std::fill_n(values + 8 * row, 8, (leaf.InsideRows >> row) & 1 ? -1.f : 1.f);
+        }
+      }
+    });
+}
+
+/** Raises numbers to the depths in walls and obstacle. All rows of leaves near them count. */
+void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
+{
+  if (!motion.Box.Present && !motion.Solid)
+  {
+    return;
+  }
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      float depths[512];
+      NodeLeaf& leaf = this->Leaves[i];
+      if (!this->FindDepths(leaf.Origin, frame, motion, depths))
+      {
+        return;
+      }
+      leaf.Rows = ~std::uint64_t(0);
+      float* values = numbers.Of(i);
+      for (int n = 0; n < 512; ++n)
+      {
+        values[n] = std::min(std::max(values[n], depths[n]), NodeLimit);
+      }
+    });
+}
+
+void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
+{
+  const bool isStart = !(frame.End > frame.Begin);
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const NodeLeaf& leaf = this->Leaves[i];
+      LeafMotion motion;
+      if (this->Motions.empty())
+      {
+        target.FindMotion(leaf, motion);
+      }
+      else
+      {
+        motion = this->Motions[i];
+      }
+      std::copy_n(motion.Bulk, LeafMotion::Points, this->Bulk[i].begin());
+      this->IsStill[i] = motion.IsStill ? 1 : 0;
+      if (isStart)
+      {
+        std::copy_n(this->Psi.Of(i), 512, this->Potential.Of(i));
+      }
+      else
+      {
+        CarryNodes(frame.Old, leaf, motion, this->Psi.Of(i), this->Potential.Of(i));
+      }
+      this->IsFar[i] = this->StaysFar(i) ? 1 : 0;
+      if (this->IsFar[i])
+      {
+        std::copy_n(this->Psi.Of(i), 512, this->Room.Of(i));
+      }
+    });
+}
+
+bool NodeStep::StaysFar(std::size_t i) const
+{
+  const float *psi = this->Psi.Of(i), *carried = this->Potential.Of(i);
+  return std::fabs(psi[0]) == NodeLimit &&
+    std::all_of(psi, psi + 512, [psi](float value) { return value == psi[0]; }) &&
+    std::all_of(carried, carried + 512, [psi](float value) { return value == psi[0]; });
+}
+
+void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
+{
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const OldLeaf before = this->IsStill[i] ? old.FindLeaf(this->Leaves[i].Origin) : OldLeaf();
+      if (!before.Value)
+      {
+        return;
+      }
+      float* now = this->Potential.Of(i);
+      bool rests = true;
+      before.FirstLayers->ForEach(
+        [&](int node)
+        {
+          const float kept = std::min(std::max(before.Value[node], -NodeLimit), NodeLimit);
+          rests = rests && std::fabs(kept - now[node]) <= tolerance;
+        });
+      if (rests)
+      {
+        std::copy_n(before.Value, 512, now);
+      }
+    });
+}
+
+/** Copies the potential beyond the sides of a periodic box from the opposite sides. */
+void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
+{
+  if (!motion.Period.Any())
+  {
+    return;
+  }
+  const PeriodicLattice lattice(motion.Period, frame.VoxelSize);
+  const auto valueAt = [&](const NodeIndex& node)
+  {
+    const NodeIndex origin = { node[0] & ~7, node[1] & ~7, node[2] & ~7 };
+    const std::int32_t leaf = this->Leaves.Find(origin);
+    return leaf >= 0 ? this->Potential.Of(static_cast<std::size_t>(
+                         leaf))[64 * (node[0] & 7) + 8 * (node[1] & 7) + (node[2] & 7)]
+      : target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion) ? -NodeLimit
+                                                                                   : NodeLimit;
+  };
+  const bool isThreadSafe = !motion.Solid || motion.Solid->IsThreadSafe();
+  ForEachBeyond(this->Leaves, lattice, isThreadSafe,
+    [&](std::size_t i, const NodeIndex& origin)
+    {
+      for (int n = 0; n < 512; ++n)
+      {
+        this->Room.Of(i)[n] = lattice.Interpolate(
+          { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) }, valueAt);
+      }
+    });
+  ForEachBeyond(this->Leaves, lattice, true,
+    [&](std::size_t i, const NodeIndex&)
+    { std::copy_n(this->Room.Of(i), 512, this->Potential.Of(i)); });
+  this->Confine(this->Potential, frame, motion);
+}
+
+}

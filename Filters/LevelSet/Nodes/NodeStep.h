@@ -1,0 +1,73 @@
+/**
+ * A frame of the node scheme. The motion of the target carries the potential. The target is
+ * evaluated once, at the nodes near its surface. Stages move the potential towards the target.
+ *
+ * No iteration, extension or search is needed. Where the target has a new part, psi is negative and
+ * a part appears; where a part of the target has gone, the skin ends.
+ */
+#ifndef NodeStep_h
+#define NodeStep_h
+
+#include "Base/Motion.h"
+#include "Base/NodeTarget.h"
+#include "Nodes/NodeCarry.h"
+#include "Nodes/NodeHalo.h"
+#include "Nodes/NodeStages.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+/** A frame and the state of the last frame. */
+struct NodeFrame
+{
+  OldPotential& Old;
+  double Begin, End; //< motion times; equal for a start, which begins at the target
+  double Duration;   //< of attraction and tension; End - Begin, except for a start
+  double VoxelSize;
+  std::size_t MaximumNumberOfActiveVoxels;
+  const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
+};
+
+class NodeStep
+{
+public:
+  /** Returns a tree with the potential at the end of the frame. Throws std::runtime_error beyond
+   * the maximum of active voxels, or if the obstacle is NaN. Keeps its memory. */
+  openvdb::FloatTree::Ptr Make(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
+
+  /** Returns the number of nodes at which the last frame evaluated the target. */
+  std::size_t CountEvaluations() const;
+
+private:
+  void FindLeaves(const NodeFrame& frame, const Motion& motion, const NodeTarget& target);
+  void AddConfined(const NodeFrame& frame, const Motion& motion);
+  void SampleSolid(std::size_t own, Obstacle& solid) const;
+  bool FindDepths(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion,
+    float (&depths)[512]) const;
+  bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;
+  void Evaluate(const NodeTarget& target);
+  void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
+  void FetchOld(const NodeFrame& frame, const NodeTarget& target);
+  void Carry(const NodeFrame& frame, const NodeTarget& target);
+  bool StaysFar(std::size_t i) const;
+  void Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target);
+  void KeepWhatRests(const OldPotential& old, float tolerance);
+  openvdb::FloatTree::Ptr MakeTree(const NodeFrame& frame, const Motion& motion) const;
+  void AddSides(const NodeFrame& frame, const Motion& motion, openvdb::FloatTree& tree) const;
+
+  Shell Near;
+  NodeHalo Halo;
+  NodeLeaves Leaves;
+  NodeArrays Potential, Room, Psi;
+  std::vector<LeafBulk> Bulk;
+  std::vector<LeafMotion> Motions; //< of each leaf, if other ranks have some old leaves
+  std::vector<char> IsStill;       //< leaves in which the target has not moved
+  std::vector<char> IsFar;         //< leaves far from the target and from the skin
+};
+
+}
+
+#endif

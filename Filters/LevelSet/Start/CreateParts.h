@@ -1,0 +1,40 @@
+/**
+ * Creates a skin for parts of the target that the skin does not reach; see NewParts.h.
+ */
+#ifndef CreateParts_h
+#define CreateParts_h
+
+#include "Base/Motion.h"
+#include "Base/Target.h"
+#include "Leaves/ActiveSet.h"
+#include "Leaves/BandBackup.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+/** A band with valid layers and ghosts. */
+struct GrowingBand
+{
+  LeafTable& Leaves;
+  ActiveSet& Set;
+  PotentialTree& Tree;
+  double VoxelSize;
+  std::size_t MaximumNumberOfActiveVoxels;
+  BandBackup& Backup; //< stores the band as a tree before a change
+};
+
+/**
+ * Creates the target's new parts and voids. Near them u becomes that of the union or the
+ * difference, the smaller of the two magnitudes. Returns true if it has created any. The active set
+ * is then the changed leaves, whose layers and ghosts the caller has to rebuild. Adds created parts
+ * and evaluations to the report. Throws std::runtime_error, and changes nothing, if the band would
+ * exceed its maximum.
+ */
+bool CreateParts(
+  const GrowingBand& band, const Motion& motion, const Target& target, AdvanceReport& report);
+
+}
+
+#endif

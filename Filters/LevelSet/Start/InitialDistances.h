@@ -1,0 +1,42 @@
+/**
+ * Distances near the zero set of a function.
+ */
+#ifndef InitialDistances_h
+#define InitialDistances_h
+
+#include "Base/OpenVDB.h"
+
+#include <functional>
+#include <vector>
+
+namespace activesurface
+{
+
+/** The corners of the voxels that a surface crosses. */
+struct CrossedNodes
+{
+  openvdb::BoolTree Nodes;
+  double Largest = 0.0; //< largest finite |value| there
+};
+
+/** A function, negative inside, at nodes of the lattice. */
+struct NodeFunction
+{
+  std::function<void(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values)>
+    Evaluate;
+  bool ThreadSafe;
+};
+
+/**
+ * Gives nodes near the crossed ones the function's first-order distance F/|grad F|, which is smooth
+ * where F is, clamped to 0.5 to 1.5 times OpenVDB's fast-sweeping distance. Sweeping needs several
+ * times the memory of its input, so it is done slab by slab.
+ *
+ * Returns a tree of distances [voxels] with background Far and inside tiles -Far; null if nothing
+ * is inside. Clears the crossed nodes to free their memory.
+ */
+openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function);
+
+}
+
+#endif

@@ -1,0 +1,24 @@
+/**
+ * Initial potential of a function whose surface is given by points.
+ */
+#ifndef NearbyStart_h
+#define NearbyStart_h
+
+#include "Base/InitialFunction.h"
+#include "Base/Motion.h"
+#include "Base/OpenVDB.h"
+
+namespace activesurface
+{
+
+/**
+ * Returns a potential bitwise identical to that of MakeInitialPotential, at a cost proportional to
+ * the points. The function is sampled at the nodes near the points and at the faces of the bounds.
+ */
+openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
+  const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
+  const ProgressFunction& progress);
+
+}
+
+#endif

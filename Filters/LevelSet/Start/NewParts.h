@@ -1,0 +1,54 @@
+/**
+ * Finds parts of the target that the skin does not reach, and voids of the target deep inside the
+ * skin.
+ *
+ * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
+ * skin reaches the nodes that are connected, along edges, with a node of layer 0, because its
+ * sample points are there. It never reaches the others: the target repels the skin in the gap
+ * between. These nodes are new parts and new voids. The search starts from the regions and follows
+ * connected nodes. It also starts from parts of the input shapes that the skin does not meet at
+ * all. A part that the skin meets is already partly covered. Voids have to be wide: Tension or the
+ * lattice would close narrow ones, and the search would find them again.
+ */
+#ifndef NewParts_h
+#define NewParts_h
+
+#include "Base/Target.h"
+#include "Start/LeafSigns.h"
+#include "Start/PartSeeds.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+class NewParts
+{
+public:
+  /** Searches the parts that the target reports. A target value of NaN has the sign of the
+   * potential. Throws as RefuseManyLeaves does. */
+  NewParts(const PartSearch& search, const Target& target);
+
+  /** Adds the nodes that change sides: nodes inside the skin, or nodes outside. */
+  void CopyNodes(bool areInside, LeafSigns& nodes) const;
+
+  /** Number of parts, connected along edges. Parts smaller than a node are not counted. */
+  std::size_t Count() const;
+
+private:
+  void SampleLeaf(const PartSearch& search, std::size_t i);
+  /** Finds reached nodes in leaves from `first` on and in their neighbours. */
+  void FindReached(std::size_t first);
+  void AddNext(std::size_t begin, std::size_t end);
+  void RemoveNarrowHollows(int steps);
+  bool IsWide(const openvdb::Coord& node, int steps) const;
+
+  LeafSigns Nodes;               // differing nodes; in the end only those of the parts
+  std::vector<LeafMask> Inside;  // inside the skin
+  std::vector<LeafMask> Reached; // differing nodes that the skin reaches
+};
+
+}
+
+#endif

@@ -1,0 +1,36 @@
+/**
+ * Points outside the surface, each by more than a distance of its own.
+ */
+#ifndef PointsOutside_h
+#define PointsOutside_h
+
+#include "ActiveLevelSetExport.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+struct PointWithMargin
+{
+  double Position[3]; //< world units, as Margin
+  double Margin;      //< >= 0
+};
+
+/**
+ * Returns the number of points that are outside and farther than their margins from all triangles
+ * of the skin; without a surface all points are. Margins may be wider than the band. Points with
+ * numbers that are not finite do not count.
+ *
+ * Reads one voxel of the potential for a point inside or far from the leaves, otherwise the voxels
+ * of the leaves within the margin. Allocates no memory. The result does not depend on the threads.
+ */
+ACTIVELEVELSET_EXPORT std::size_t CountOutside(
+  const NarrowBand& band, const std::vector<PointWithMargin>& points);
+
+}
+
+#endif

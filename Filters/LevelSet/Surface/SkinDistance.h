@@ -1,0 +1,63 @@
+/**
+ * Distance of a point from the surface, and its side, from a snapshot of a NarrowBand.
+ *
+ * With x in voxels, U(x) the trilinear interpolation of the potential u, and G(x) that of its
+ * gradient norm |grad u| at the nodes (central differences; one-sided where a neighbour is beyond
+ * the layers), the value is
+ *
+ *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
+ *
+ * The value is a distance of first order: exact at the surface, good within about 1.5 voxels. Nodes
+ * beyond all layers count as u = +-HalfWidth with gradient norm 1; norms below 0.05 count as 0.05.
+ * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13
+ * voxel.
+ *
+ * Evaluation takes constant time, allocates nothing and is thread-safe. Memory: two numbers for
+ * each node of the band's leaves.
+ */
+#ifndef SkinDistance_h
+#define SkinDistance_h
+
+#include "ActiveLevelSetExport.h"
+
+#include <memory>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+/** Limit of distances on either side of the surface [voxels]. */
+constexpr float HalfWidth = 3.f;
+
+class ACTIVELEVELSET_EXPORT SkinDistance
+{
+public:
+  /** Copies the potential: the band may change or be deleted afterwards. */
+  explicit SkinDistance(const NarrowBand& band);
+  ~SkinDistance();
+
+  /**
+   * Returns the value at a point [world units]. Writes the exact derivatives of the formula unless
+   * gradient is null; they are 0 where the value is clamped. The value is HalfWidth voxels
+   * everywhere if there is no surface. Value and derivatives are NaN if the point is not finite.
+   */
+  double Evaluate(const double x[3], double* gradient) const;
+
+  /** Box of the voxels that the surface crosses [world units]. Returns false, with bounds
+   * unchanged, if there is no surface. */
+  bool GetBounds(double bounds[6]) const;
+
+private:
+  SkinDistance(const SkinDistance&) = delete;
+  void operator=(const SkinDistance&) = delete;
+
+  struct State;
+  void Read(const NarrowBand& band);
+
+  std::unique_ptr<State> Members;
+};
+
+}
+
+#endif

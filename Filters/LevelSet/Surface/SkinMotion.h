@@ -1,0 +1,35 @@
+/**
+ * Curvature and speed at the vertices of the skin, in the order in which Skin writes them.
+ */
+#ifndef SkinMotion_h
+#define SkinMotion_h
+
+#include "ActiveLevelSetExport.h"
+#include "Base/SkinForces.h"
+
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+/**
+ * Returns the sum of the principal curvatures [1/length], positive where the skin bulges outward:
+ * eq. (5) of the paper at the nodes, interpolated along the edges. Clamped to +-4 per voxel at the
+ * nodes.
+ */
+ACTIVELEVELSET_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
+
+/**
+ * Returns the normal speed [length/time], outward positive, by the equation of motion at the time
+ * of the band: attraction, tension, penalties, and the uniform speed by which exact controls keep
+ * volume or area. Attraction is 0 where the target is not finite. The node scheme: see
+ * NodeSpeeds.h.
+ */
+ACTIVELEVELSET_EXPORT std::vector<float> FindSpeeds(
+  const NarrowBand& band, const SkinForces& forces);
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+/**
+ * The connected parts of the skin: each bounds a body from outside or a void from inside.
+ */
+#ifndef SkinParts_h
+#define SkinParts_h
+
+#include "ActiveLevelSetExport.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+/** A cube of four voxels a side, by its coordinates. Locates a part roughly. */
+using PartBlock = std::array<std::int32_t, 3>;
+constexpr int VoxelsOfBlock = 4;
+
+struct SkinPart
+{
+  double Area = 0.0;                    //< world units
+  double Volume = 0.0;                  //< enclosed; negative for a void
+  std::int64_t EulerCharacteristic = 0; //< 2 - 2 * handles
+  std::vector<PartBlock> Blocks;        //< blocks that contain its vertices, ascending
+
+  bool IsVoid() const { return !(this->Volume > 0.0); }
+};
+
+/** Returns the parts in the order of their first vertices; the same potential gives the same bytes.
+ * Collective if the band is partitioned among ranks: rank 0 gets all parts, other ranks none. */
+ACTIVELEVELSET_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+// Packs particles of a frame into bytes for messages between ranks. Lossless.
+
+#ifndef ParticleBytes_h
+#define ParticleBytes_h
+
+#include "Frames/ParticleFrame.h"
+#include "Ranks/Communicator.h"
+
+#include "vtkActiveParticlesModule.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
+
+// Packs positions, ids, strengths and velocities of the chosen particles. Radii and passed arrays
+// are left out.
+VTKACTIVEPARTICLES_EXPORT Bytes PackParticles(
+  const ParticleFrame& frame, const ParticleChoice& chosen);
+
+// Merges the particles of several ranks into one frame, in the order of ParticleOrder.h. like:
+// frame that provides HasIds, HasVelocities and the common radius.
+VTKACTIVEPARTICLES_EXPORT ParticleFrame MergeParticles(
+  const std::vector<Bytes>& parts, const ParticleFrame& like);
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+// Converts particles in a table or in blocks to one point set.
+
+#ifndef ParticleData_h
+#define ParticleData_h
+
+#include "vtkActiveParticlesModule.h"
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+
+namespace activesurface
+{
+
+// Returns the data set itself or a data set made from it:
+// - Rows of a vtkTable become points. Positions are the columns x, y and z, or a:0 a:1 a:2, a_0
+//   ..., a_x ..., or one column a of three numbers. Here a is Points, Position, Coordinates or the
+//   like, in upper or lower case. Other columns become point arrays; three columns of one vector
+//   become one array.
+// - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
+//   Point arrays are kept if all blocks with points have them, with one type. If only one block has
+//   points, that block is returned unchanged.
+// Returns null for any other class and for adaptive mesh refinement (AMR). Throws
+// std::invalid_argument for a table without positions, or if one of several blocks with points is
+// not particles.
+VTKACTIVEPARTICLES_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
+
+// Returns true for AMR, a vtkDataObjectTree since VTK 9.6, whose blocks overlap.
+VTKACTIVEPARTICLES_EXPORT bool HasLevels(vtkDataObject* data);
+
+}
+
+#endif

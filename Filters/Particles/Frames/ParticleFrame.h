@@ -1,0 +1,108 @@
+// Particles of one step of the input.
+
+#ifndef ParticleFrame_h
+#define ParticleFrame_h
+
+#include "Frames/ParticleList.h"
+
+#include "vtkActiveParticlesModule.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkPointSet;
+
+namespace activesurface
+{
+
+// Arrays of the particles; each may be null.
+struct PointArrays
+{
+  vtkAbstractArray* Radii = nullptr;
+  vtkAbstractArray* Ids = nullptr;
+  vtkAbstractArray* Strengths = nullptr;
+  vtkAbstractArray* Velocities = nullptr;
+  vtkPointData* Passed = nullptr; // all arrays that the skin may show
+};
+
+// Totals over all ranks of a frame that is distributed.
+struct WholeFrame
+{
+  std::size_t Points = 0;
+  std::size_t Particles = 0; // usable points
+  double Low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  double High[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }; // box of the particles' positions
+
+  void Add(const WholeFrame& other)
+  {
+    this->Particles += other.Particles;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
+  }
+};
+
+struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
+{
+  ParticleList Particles;
+  std::vector<std::int64_t> Ids; // from the array, else point indices in the whole input
+  bool HasIds = false;           // from the array
+  bool HasRadii = false;         // from the array; else call GiveRadius
+  double ReachPerRadius = 1.0;   // support radius / radius of the array, see UseRadii
+  bool HasVelocities = false;    // from an array
+  std::size_t Ignored = 0;       // points left out: not finite, or without a positive radius
+  std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
+  std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
+  vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted
+  std::optional<WholeFrame> Whole;      // if distributed; then all have one radius
+
+  std::size_t CountAllPoints() const
+  {
+    return this->Whole ? this->Whole->Points : this->Particles.size() + this->Ignored;
+  }
+  std::size_t CountAllParticles() const
+  {
+    return this->Whole ? this->Whole->Particles : this->Particles.size();
+  }
+  // Returns this rank's particle count and box. Points is 0.
+  WholeFrame Describe() const;
+
+  vtkIdType GetPoint(std::size_t particle) const
+  {
+    return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
+  }
+
+  // The particle order[i] becomes number i, with its id and velocity.
+  void Permute(const std::vector<std::size_t>& order);
+
+  // Sets the support radius of all particles.
+  void GiveRadius(double radius);
+  // Converts the radii of the array, which are those of balls, to support radii.
+  void UseRadii(double reachPerRadius);
+
+  // Adds an offset to all positions.
+  void MoveBy(const double offset[3]);
+
+  // Box of the supports of all particles, on all ranks; returns false without particles.
+  bool GetBounds(double bounds[6]) const;
+};
+
+// Throws std::invalid_argument for arrays that cannot be radii, ids, strengths or velocities of the
+// points.
+VTKACTIVEPARTICLES_EXPORT ParticleFrame ReadParticles(
+  vtkPointSet* points, const PointArrays& arrays);
+
+}
+
+#endif

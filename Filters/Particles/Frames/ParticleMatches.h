@@ -1,0 +1,82 @@
+// Matches the particles of two steps of the input, and defines their motion in between.
+//
+// A particle moves in a straight line to its position in the next step, in a periodic box to the
+// nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
+// Without ids they are matched by their index, if the two steps have equally many points. Indices
+// are not used if they would move most particles across the cloud, as happens if an input lists the
+// particles in another order in each step.
+//
+// Let f be the fraction of the interval. A particle without a partner in the next step dies: its
+// strength is multiplied by (1-f). A particle without a partner in the step before is born: its
+// strength is multiplied by f. So the sum of kernels is continuous in time for any two steps.
+
+#ifndef ParticleMatches_h
+#define ParticleMatches_h
+
+#include "Frames/ParticleFrame.h"
+#include "Frames/PeriodicBox.h"
+
+#include "vtkActiveParticlesModule.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
+
+struct ParticleMatches
+{
+  // Index of the partner in the later step for each earlier particle, or NoPartner.
+  std::vector<std::size_t> Partners;
+  std::vector<std::size_t> Deaths; // indices without a partner in the earlier step, ascending
+  std::vector<std::size_t> Births; // indices without a partner in the later step, ascending
+  bool AreShuffled = false;        // equal indices are different particles
+};
+
+VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box);
+
+// Pairs particles with the same ids or indices. Pairs none if areShuffled, or if only one step has
+// ids, or if two steps without ids have different numbers of points.
+VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
+
+// Displacement of a particle from step to step, and its index.
+struct NumberedWay
+{
+  std::int64_t Number;
+  double Way[3];
+};
+
+// Returns the displacements of partners, at most about 1,000, evenly selected by index.
+VTKACTIVEPARTICLES_EXPORT std::vector<NumberedWay> PickWays(const ParticleFrame& earlier,
+  const ParticleFrame& later, const std::vector<std::size_t>& partners, const PeriodicBox& box);
+
+// Returns true if equal indices are different particles, judged by the displacements of the whole
+// frame in any order. `earlier` may be a part of the frame.
+VTKACTIVEPARTICLES_EXPORT bool AreShuffled(
+  std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box);
+
+// Largest sum of displacement and change of radius, among the particles of both steps; 0 if there
+// are none.
+VTKACTIVEPARTICLES_EXPORT double FindLongestWay(const ParticleFrame& earlier,
+  const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);
+
+// Indices of a particle in the two steps; NoPartner if it is absent.
+struct ParticleOrigin
+{
+  std::size_t Earlier;
+  std::size_t Later;
+};
+
+// Finds the velocity (x y z) of a particle that moves uniformly from step to step. Returns false if
+// the particle is in only one step (the other frame may be null), or if the duration is 0.
+VTKACTIVEPARTICLES_EXPORT bool FindVelocity(const ParticleFrame* earlier,
+  const ParticleFrame* later, const ParticleOrigin& origin, const PeriodicBox& box, double duration,
+  double (&velocity)[3]);
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// Copies of points in a periodic box.
+
+#ifndef PeriodicBox_h
+#define PeriodicBox_h
+
+#include "Base/Walls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace activesurface
+{
+
+struct PeriodicBox : Periods
+{
+  // Width of the margin around the box in which copies of particles affect the surface inside:
+  // directly, through the support of an ellipsoid (1.3 kernel radii), or as neighbours that change
+  // the ellipsoid and its strength.
+  static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
+
+  // Returns the shortest difference that is equal up to whole lengths of the box.
+  double Nearest(std::size_t axis, double difference) const
+  {
+    const double length = this->Length[axis];
+    return length > 0.0 ? difference - length * std::round(difference / length) : difference;
+  }
+
+  // Moves a point to its copy within the box.
+  void Wrap(double (&place)[3]) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double length = this->Length[axis];
+      place[axis] -=
+        length > 0.0 ? length * std::floor((place[axis] - this->Low[axis]) / length) : 0.0;
+    }
+  }
+  bool Holds(const double (&place)[3]) const
+  {
+    double wrapped[3] = { place[0], place[1], place[2] };
+    this->Wrap(wrapped);
+    return std::equal(place, place + 3, wrapped);
+  }
+
+  // Range of the offsets, in lengths of the box, at which a copy is in the box or its margin. The
+  // first is larger than the last if there are none.
+  std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
+  {
+    const double length = this->Length[axis];
+    if (!(length > 0.0))
+    {
+      return { 0, 0 };
+    }
+    const double low = (this->Low[axis] - margin - x) / length;
+    const double high = (this->Low[axis] + length + margin - x) / length;
+    const auto whole = [](double number)
+    {
+      constexpr double most = 1e9;
+      return static_cast<int>(std::min(std::max(number, -most), most));
+    };
+    return { whole(std::ceil(low)), whole(std::floor(high)) };
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,28 @@
+// Means of displacements and bulks of particles at the points of a leaf. A mean displacement is
+// less what may be the noise of the particles it is the mean of, by their spread.
+
+#ifndef MotionMeans_h
+#define MotionMeans_h
+
+#include "Base/NodeTarget.h"
+#include "Nodes/ParticleRuns.h"
+
+namespace activesurface
+{
+
+struct MotionColumns
+{
+  const float* Place[3]; // relative to some origin
+  const float* Displacement[3];
+  const float* IsMoved; // 1, or 0 if the displacement is unknown
+  const float* Bulk;    // null: all are 1
+  const float* InverseReach2;
+};
+
+// Shifts of the runs are from the first node of the leaf.
+void FindMotionMeans(
+  const MotionColumns& columns, const ParticleRuns& runs, bool hasNoise, LeafMotion& motion);
+
+}
+
+#endif

@@ -1,0 +1,137 @@
+// The fits of the particles near a surface, at the places where they are: their ellipsoids, and how
+// much of a body is around each particle. Found in three passes: the ellipsoids; what the sum of
+// their kernels lacks where the surface should be; and the mean of what neighbours lack, which
+// gives the strengths. Particles deep in a body have none, as their kernels do not reach a surface.
+
+#ifndef NodeFits_h
+#define NodeFits_h
+
+#include "Index/UnsetVector.h"
+#include "Nodes/FitKernels.h"
+#include "Nodes/GhostParticles.h"
+#include "Nodes/NearRows.h"
+#include "Nodes/NodeSums.h"
+#include "Nodes/ParticleBlocks.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace activesurface
+{
+
+// Numbers of particles in the order of their blocks, and eight more; lengths in voxels, places
+// relative to the block.
+struct FitColumns
+{
+  const float *X, *Y, *Z;
+  const float* OwnRadius;
+  const float* Reach; // of the kernel in a body
+  const float* Strength;
+};
+
+struct NodeFitOptions
+{
+  double WidePerReach = 1.0; // neighbourhood over reach
+  double Anisotropy = 4.0;   // largest ratio of axes
+  bool HasEllipsoids = true; // else only bulks and what is outward are found
+  bool HasTriangles = true;  // balls are larger by what triangles lose
+};
+
+class NodeFits
+{
+public:
+  // Keeps its memory. Throws std::invalid_argument for too many neighbours (NeighbourLimit.h);
+  // without ellipsoids bulks are 0 then. ghosts: of which other ranks find the fits; collective if
+  // there are any.
+  void Find(const ParticleBlocks& blocks, const FitColumns& given, const GhostParticles& ghosts,
+    const NodeFitOptions& options);
+
+  // In [0,1]; 1 deep in a body.
+  const float* GetBulks() const { return this->Bulk.data(); }
+
+  // The rows of the following.
+  const std::uint32_t* GetRows() const { return this->Row.GetAll(); }
+  // Centres relative to the particle's block; a squared reach of 0 where there is none.
+  EllipsoidColumns GetColumns() const
+  {
+    return { this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() };
+  }
+  const NodeEllipsoid* GetEllipsoids() const { return this->Ellipsoids.data(); }
+  // From the particle, centre and all [voxels].
+  double GetLongestReach() const { return this->LongestReach; }
+
+  // Evaluates the sum of the ellipsoids, and its gradient, at the places of a group, relative to a
+  // block. Thread-safe.
+  void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
+
+  // Finds the box of the ellipsoid of the particle k of the columns, relative to its block: xmin
+  // xmax ymin ... Returns false if it has none.
+  bool FindBox(std::uint32_t k, float (&box)[6]) const;
+
+  // Finds the vector, two own radii long, away from the neighbours of a particle at the edge of a
+  // body. Returns false for other particles.
+  bool FindOutward(std::uint32_t k, float (&outward)[3]) const;
+
+private:
+  struct Search;
+
+  void Resize(std::size_t count);
+  bool HasTooManyNeighbours() const;
+  template <class IsWanted, class Visit>
+  void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
+  void FillGroup(Search& search) const;
+  template <class RowOf>
+  void Gather(Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const;
+  void GatherNeighbours(Search& search) const;
+  void GatherEllipsoids(Search& search) const;
+  void FindShapes(Search& search);
+  void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
+  void FindLacks(Search& search);
+  void SumBeside(
+    Search& search, const UnsetVector<float>& counting, std::size_t place, float (&sums)[8]) const;
+  bool PlaceBeside(Search& search, const UnsetVector<float>& counting, std::size_t place) const;
+  float FindFaded(std::uint32_t k, std::size_t place) const;
+  void ListSurface();
+  void FindStrengths(Search& search);
+  void FindLongestReach();
+  bool HasRow(std::uint32_t k) const { return this->Row[k + 1] > this->Row[k]; }
+  void ShareShapes();
+  void ShareLacks();
+  void ShareStrengths();
+  bool IsAtSurface(std::uint32_t k) const
+  {
+    const std::uint32_t i = this->Row[k];
+    return this->Deep[i] > 0.f || this->Thin[i] > 0.f;
+  }
+
+  const ParticleBlocks* Blocks = nullptr;
+  const GhostParticles* Ghosts = nullptr;
+  FitColumns Given{};
+  NodeFitOptions Options;
+  double WidestReach = 0.0;
+  double LongestReach = 0.0;
+
+  UnsetVector<float> Wide2, InverseWide2; // squared radii of the neighbourhoods
+  UnsetVector<float> Bulk;
+  NearRows Row;
+
+  // Columns of particles near a surface.
+  UnsetVector<float> EX, EY, EZ, EReach2;
+  UnsetVector<NodeEllipsoid> Ellipsoids;
+  // Found before the strengths.
+  UnsetVector<float> Deep, Thin, Shape, Lone;
+  UnsetVector<float> Places;      // Away x y z, Across x y z
+  UnsetVector<float> Share, Lack; // of those at the surface; else 0
+
+  // Particles at the surface, in the same order.
+  struct SurfaceColumns
+  {
+    UnsetVector<float> X, Y, Z, Wide2, InverseWide2, Share, Lack;
+  };
+  SurfaceColumns Surface;
+  UnsetVector<std::uint32_t> SurfaceBefore; // how many are before each particle near a surface
+};
+
+}
+
+#endif

@@ -1,0 +1,207 @@
+#include "Nodes/ParticleBlocks.h"
+
+#include "Index/ParallelTasks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Up to where kernels end, beyond the first own radius [own radii].
+constexpr double BeyondDense = 3.6;
+
+// Cells are no smaller than a share of a voxel.
+constexpr double CellsOfVoxel = 4.0;
+
+int NumberOf(const NodeIndex& offset)
+{
+  return 9 * (offset[0] + 1) + 3 * (offset[1] + 1) + offset[2] + 1;
+}
+
+}
+
+void ParticleBlocks::Build(const ParticleCubes& cubes, const Options& options)
+{
+  this->VoxelSize = options.VoxelSize;
+  this->ChooseCells(cubes);
+  this->AddBlocks(cubes);
+  this->Sort();
+  this->FillCells(cubes);
+  if (options.HasInside)
+  {
+    this->FindOpen();
+    this->Widen(&Block::Open, true, this->Inward);
+  }
+  this->FindNear(options.Reach);
+  this->OccupyCells(cubes);
+  if (options.HasInside)
+  {
+    this->OccupyAroundDense();
+  }
+}
+
+void ParticleBlocks::FindNear(double reach)
+{
+  for (Block& block : this->Blocks)
+  {
+    block.Near = block.Open;
+  }
+  const double cells = reach / this->VoxelSize / this->CellSize;
+  this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
+}
+
+// From a cell in the middle of a cube to a node beyond the skin [cells]. beyond: of the skin from
+// the cube [length].
+int ParticleBlocks::CountOutward(double beyond) const
+{
+  constexpr double rounding = 1e-6;
+  const double outward = 0.5 * this->CellSize + beyond / this->VoxelSize + 1.0;
+  return static_cast<int>(std::ceil(outward / this->CellSize - rounding));
+}
+
+void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
+{
+  const std::size_t count = cubes.Size();
+  const auto getHalfSide = [&cubes](std::size_t n) { return cubes.Get(n).HalfSide; };
+  const double most = FindMost(count, 0.0, getHalfSide);
+  const double least = -FindMost(count, -HUGE_VAL, [&](std::size_t n) { return -getHalfSide(n); });
+  this->CellSize = count == 0
+    ? 1.0
+    : std::max({ 2.0 * least / this->VoxelSize, 2.0 * most / this->VoxelSize / MostCellsOfCube,
+        1.0 / CellsOfVoxel });
+  this->OutwardOfDense = this->CountOutward(BeyondDense * most);
+  this->Inward = this->CountOutward(0.0);
+}
+
+// Where a particle is, and the blocks that a mask may reach from it.
+ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
+{
+  CubePlace found;
+  const double rest = cube.HalfSide / this->VoxelSize - 0.5 * this->CellSize;
+  const double reach = std::max(rest, 0.0), shell = cube.Shell / this->VoxelSize;
+  const int margin = this->CountOutward(BeyondDense * cube.HalfSide);
+  int part[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = cube.Position[axis] / this->VoxelSize;
+    const int cell = this->CellOf(place);
+    found.At[axis] = cell >> 3;
+    part[axis] = (cell & 7) >> 1;
+    found.Low[axis] =
+      std::min(this->CellOf(place - reach) - margin, this->CellOf(place - shell)) >> 3;
+    found.High[axis] =
+      std::max(this->CellOf(place + reach) + margin, this->CellOf(place + shell)) >> 3;
+  }
+  found.Part = static_cast<std::uint8_t>(16 * part[0] + 4 * part[1] + part[2]);
+  return found;
+}
+
+std::size_t ParticleBlocks::AddBlock(const NodeIndex& at)
+{
+  const auto i = static_cast<std::size_t>(this->Numbers.Add(at));
+  if (i == this->Blocks.size())
+  {
+    this->Blocks.emplace_back();
+    this->Blocks.back().At = at;
+    this->Around.push_back(0);
+  }
+  return i;
+}
+
+void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
+{
+  NodeIndex other;
+  for (other[0] = place.Low[0]; other[0] <= place.High[0]; ++other[0])
+  {
+    for (other[1] = place.Low[1]; other[1] <= place.High[1]; ++other[1])
+    {
+      for (other[2] = place.Low[2]; other[2] <= place.High[2]; ++other[2])
+      {
+        const NodeIndex offset = { other[0] - place.At[0], other[1] - place.At[1],
+          other[2] - place.At[2] };
+        const bool isNear =
+          std::all_of(offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
+        const std::uint32_t bit = isNear ? 1u << NumberOf(offset) : 0u;
+        if (!bit || !(this->Around[home] & bit))
+        {
+          this->AddBlock(other);
+          this->Around[home] |= bit;
+        }
+      }
+    }
+  }
+}
+
+// Places are found in parallel, some at a time; blocks are added in the order of the particles.
+void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
+{
+  constexpr std::size_t most = std::size_t(1) << 15;
+  const std::size_t count = cubes.Size();
+  this->Homes.resize(count);
+  this->PartOf.resize(count);
+  this->Numbers.Clear(count / 64);
+  this->Blocks.clear();
+  this->Around.clear();
+  this->Places.resize(std::min(count, most));
+  std::size_t home = 0;
+  for (std::size_t first = 0; first < count; first += most)
+  {
+    const std::size_t some = std::min(most, count - first);
+    RunEach(some, [&](std::size_t i) { this->Places[i] = this->FindPlace(cubes.Get(first + i)); });
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      const CubePlace& place = this->Places[i];
+      const bool isHome = !this->Blocks.empty() && AreSame(this->Blocks[home].At, place.At);
+      home = isHome ? home : this->AddBlock(place.At);
+      this->Homes[first + i] = static_cast<std::uint32_t>(home);
+      this->PartOf[first + i] = place.Part;
+      this->AddAround(place, home);
+    }
+  }
+}
+
+void ParticleBlocks::Sort()
+{
+  const std::size_t count = this->Homes.size();
+  for (Block& block : this->Blocks)
+  {
+    std::fill_n(block.Starts, Parts + 1, 0u);
+  }
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    ++this->Blocks[this->Homes[n]].Starts[this->PartOf[n] + 1];
+  }
+  std::uint32_t first = 0;
+  for (Block& block : this->Blocks)
+  {
+    block.Starts[0] = first;
+    std::partial_sum(block.Starts, block.Starts + Parts + 1, block.Starts);
+    first = block.Starts[Parts];
+  }
+  this->Order.resize(count);
+  this->BlockOf.resize(count);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::uint32_t home = this->Homes[n];
+    const std::uint32_t place = this->Blocks[home].Starts[this->PartOf[n]]++;
+    this->Order[place] = static_cast<std::uint32_t>(n);
+    this->BlockOf[place] = home;
+  }
+  for (Block& block : this->Blocks) // each start has become the next one
+  {
+    std::copy_backward(block.Starts, block.Starts + Parts, block.Starts + Parts + 1);
+  }
+  first = 0;
+  for (Block& block : this->Blocks)
+  {
+    block.Starts[0] = first;
+    first = block.Starts[Parts];
+  }
+}
+
+}

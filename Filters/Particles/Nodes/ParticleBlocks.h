@@ -1,0 +1,224 @@
+// Particles sorted by cells, in blocks of 8^3 cells; and the cells in which their surface can be.
+//
+// A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills
+// a cube of its own size. Cells whose neighbourhood is full hold no surface, nor do those far from
+// any particle: what is left is the shell. The filling is counted in integers, so that it does not
+// depend on the order of particles.
+
+#ifndef ParticleBlocks_h
+#define ParticleBlocks_h
+
+#include "Base/IndexMap.h"
+#include "Index/UnsetVector.h"
+#include "Nodes/CellMask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+// A particle as a cube of fluid.
+struct ParticleCube
+{
+  double Position[3];
+  double HalfSide; // own radius
+  double Shell;    // nodes within this distance of its centre are in the shell [length]
+  double Filling;  // in [0,1]: 1 where it is of full strength
+};
+
+// Particles that are asked for one by one, several times each and by several threads.
+class ParticleCubes
+{
+public:
+  virtual std::size_t Size() const = 0;
+  virtual ParticleCube Get(std::size_t n) const = 0;
+
+protected:
+  ~ParticleCubes() = default;
+};
+
+class ParticleBlocks
+{
+public:
+  // Parts of a block, of 2^3 cells each, by which particles are sorted.
+  static constexpr int PartsOfSide = 4;
+  static constexpr int Parts = PartsOfSide * PartsOfSide * PartsOfSide;
+  // Cells are no smaller than a share of the largest cube, so that each cube is in few cells.
+  static constexpr double MostCellsOfCube = 16.0;
+
+  struct Block
+  {
+    NodeIndex At; // in blocks
+    std::uint32_t Starts[Parts + 1];
+    CellMask Occupied;
+    CellMask Open;  // not full
+    CellMask Dense; // with particles of twice the usual density
+    CellMask Near;  // from which kernels reach one that is not full
+  };
+
+  struct Options
+  {
+    double VoxelSize = 1.0;
+    double Reach = 0.0;    // of the longest kernel [length]
+    bool HasInside = true; // whether full cells are inside, whatever the kernels are
+  };
+
+  // Keeps its memory.
+  void Build(const ParticleCubes& cubes, const Options& options);
+
+  std::size_t Size() const { return this->Blocks.size(); }
+  const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
+  const Block* Find(const NodeIndex& at) const
+  {
+    const std::int32_t i = this->Numbers.Find(at);
+    return i >= 0 ? &this->Blocks[i] : nullptr;
+  }
+
+  // Side of a cell [voxels].
+  double GetCellSize() const { return this->CellSize; }
+  double GetBlockSize() const { return 8.0 * this->CellSize; }
+
+  // Numbers of the particles, by blocks and parts of them.
+  const UnsetVector<std::uint32_t>& GetOrder() const { return this->Order; }
+  // The block of each particle, in this order.
+  const UnsetVector<std::uint32_t>& GetBlockOf() const { return this->BlockOf; }
+
+  // The cell of a node, or of a place [voxels].
+  int CellOf(double place) const
+  {
+    constexpr double farthest = 1e9;
+    const double cell = std::floor(place / this->CellSize);
+    return static_cast<int>(std::min(std::max(cell, -farthest), farthest));
+  }
+
+  // The cells in which the surface can be.
+  static CellMask ShellOf(const Block& block)
+  {
+    CellMask shell;
+    for (int x = 0; x < 8; ++x)
+    {
+      shell.Word[x] = block.Occupied.Word[x] & block.Open.Word[x];
+    }
+    return shell;
+  }
+  // Returns true if kernels of particles in a part reach the shell.
+  static bool IsNearSurface(const Block& block, int x, int y, int z)
+  {
+    constexpr std::uint64_t part = 0x0303;
+    return (((block.Near.Word[2 * x] | block.Near.Word[2 * x + 1]) >> CellMask::Bit(2 * y, 2 * z)) &
+             part) != 0;
+  }
+  bool IsInside(const NodeIndex& cell) const
+  {
+    const Block* block = this->Find({ cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 });
+    return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
+  }
+
+  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]; block:
+  // which one they are in.
+  template <class Visit>
+  void VisitRuns(const double (&low)[3], const double (&high)[3], Visit&& visit) const
+  {
+    int first[3], last[3]; // parts
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = this->CellOf(low[axis]) >> 1;
+      last[axis] = this->CellOf(high[axis]) >> 1;
+    }
+    NodeIndex at;
+    for (at[0] = first[0] >> 2; at[0] <= last[0] >> 2; ++at[0])
+    {
+      for (at[1] = first[1] >> 2; at[1] <= last[1] >> 2; ++at[1])
+      {
+        for (at[2] = first[2] >> 2; at[2] <= last[2] >> 2; ++at[2])
+        {
+          const Block* block = this->Find(at);
+          if (block && block->Starts[0] != block->Starts[Parts])
+          {
+            VisitRunsOf(*block, first, last, visit);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  template <class Visit>
+  static void VisitRunsOf(
+    const Block& block, const int (&first)[3], const int (&last)[3], Visit&& visit)
+  {
+    int low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::max(first[axis] - PartsOfSide * block.At[axis], 0);
+      high[axis] = std::min(last[axis] - PartsOfSide * block.At[axis], PartsOfSide - 1);
+    }
+    for (int x = low[0]; x <= high[0]; ++x)
+    {
+      for (int y = low[1]; y <= high[1]; ++y)
+      {
+        const std::uint32_t* starts = block.Starts + PartsOfSide * (PartsOfSide * x + y);
+        if (starts[low[2]] != starts[high[2] + 1])
+        {
+          visit(starts[low[2]], starts[high[2] + 1], block.At);
+        }
+      }
+    }
+  }
+  int CountOutward(double beyond) const;
+  void FindNear(double reach);
+  void OccupyAroundDense();
+  void ChooseCells(const ParticleCubes& cubes);
+  struct CubePlace
+  {
+    NodeIndex At, Low, High; // its block, and the range of those around it
+    std::uint8_t Part;
+  };
+  CubePlace FindPlace(const ParticleCube& cube) const;
+  std::size_t AddBlock(const NodeIndex& at);
+  void AddAround(const CubePlace& place, std::size_t home);
+  void AddBlocks(const ParticleCubes& cubes);
+  void Sort();
+  void FillCells(const ParticleCubes& cubes);
+  void FillCube(const ParticleCube& cube, std::size_t home);
+  void OccupyCells(const ParticleCubes& cubes);
+  void Occupy(const ParticleCube& cube, std::size_t home);
+  struct ShellBall
+  {
+    double Place[3], Reach; // [voxels]
+    int First[3], Last[3];  // cells of its box
+  };
+  void OccupyIn(Block& block, const ShellBall& ball) const;
+  // The block of a cell, which is often that of the particle.
+  std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
+  {
+    const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
+    return AreSame(this->Blocks[home].At, at) ? home
+                                              : static_cast<std::size_t>(this->Numbers.Find(at));
+  }
+  void FindOpen();
+  void FindOpenOf(Block& block) const;
+  void Widen(CellMask Block::*mask, bool outside, int times);
+
+  double VoxelSize = 1.0;
+  double CellSize = 1.0;
+  int OutwardOfDense = 1; // cells
+  int Inward = 1;
+  IndexMap Numbers;
+  std::vector<Block> Blocks;
+  std::vector<std::uint32_t> Around; // of each block, one bit for each of 27 that exist
+  UnsetVector<CubePlace> Places;     // of some particles
+  UnsetVector<std::uint32_t> Homes;
+  UnsetVector<std::uint8_t> PartOf;
+  UnsetVector<std::uint32_t> Order, BlockOf;
+  std::vector<std::uint32_t> Filling; // 512 for each block
+  std::vector<CellMask> Wide;
+};
+
+}
+
+#endif

@@ -1,0 +1,79 @@
+// Particles between two time steps of the input (ParticleMatches.h).
+
+#ifndef ParticleTrack_h
+#define ParticleTrack_h
+
+#include "Frames/ParticleMatches.h"
+#include "ParticleNodes.h"
+
+#include "vtkActiveParticlesModule.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+// Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
+// 0, or without a later step, these are the particles of the earlier step. Else they are the
+// particles of the earlier step in their order, then the births in their order, without particles
+// faded to zero. In a periodic box each particle is replaced by its copies in the box and the
+// margin.
+class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
+{
+public:
+  // The caller owns the frames and the matches. later and matches may both be null.
+  ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
+    const ParticleMatches* matches, const PeriodicBox& box, double fraction);
+
+  const ParticleFrame& GetEarlier() const { return *this->Earlier; }
+  const ParticleFrame* GetLater() const { return this->Later; }
+
+  std::size_t Size() const override { return this->Count; }
+  SkeletonVertex Get(std::size_t n) const override;
+  ParticleOrigin GetOrigin(std::size_t n) const
+  {
+    return this->OriginOf(this->Copies.empty() ? this->KeptAt(n) : this->Copies[n].Particle);
+  }
+
+  // Replace the contents of the lists by the particles, and by their origins.
+  void List(std::vector<SkeletonVertex>& particles) const;
+  void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
+
+  // Sets the duration from step to step for FindVelocity [motion time]. At 0, FindVelocity returns
+  // false.
+  void SetDuration(double duration) { this->Duration = duration; }
+  bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
+
+private:
+  // n: index that counts faded particles too.
+  ParticleOrigin OriginOf(std::size_t n) const;
+  SkeletonVertex Place(const ParticleOrigin& origin) const;
+  SkeletonVertex Between(const ParticleOrigin& origin) const;
+  std::size_t KeptAt(std::size_t n) const { return this->Kept.empty() ? n : this->Kept[n]; }
+  void ListKept(std::size_t all);
+  void ListCopies();
+  void CheckBox(double margin) const;
+
+  struct Copy
+  {
+    std::uint32_t Particle;        // index that counts faded particles too
+    std::array<int, 3> BoxLengths; // displacement in lengths of the box
+  };
+
+  const ParticleFrame* Earlier;
+  const ParticleFrame* Later;
+  const ParticleMatches* Matches;
+  PeriodicBox Box;
+  double Fraction;
+  double Duration = 0.0;
+  std::size_t Count = 0;
+  std::vector<std::uint32_t> Kept; // empty if none has faded
+  std::vector<Copy> Copies;        // empty without a periodic box
+};
+
+}
+
+#endif

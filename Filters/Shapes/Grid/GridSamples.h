@@ -1,0 +1,49 @@
+// A function in space given by samples, which a vtkGridPotential evaluates.
+
+#ifndef GridSamples_h
+#define GridSamples_h
+
+#include "Grid/SurfaceSample.h"
+#include "vtkActiveShapesModule.h"
+
+namespace activesurface
+{
+
+struct LatticeShape;
+
+// Immutable and thread-safe. Evaluation allocates no memory.
+class VTKACTIVESHAPES_EXPORT GridSamples
+{
+public:
+  virtual ~GridSamples() = default;
+
+  // Negative inside; gradient: three numbers, or null. Returns NaN if x is not finite.
+  virtual double Evaluate(const double x[3], double* gradient) const = 0;
+
+  // Box outside which the function is not negative. Returns false, and leaves the bounds, if the
+  // function is never negative.
+  virtual bool GetBounds(double bounds[6]) const = 0;
+
+  // Finds the region below a level, on the lattice of the samples. Returns false if the region is
+  // unavailable or unbounded.
+  virtual bool FindShape(double level, LatticeShape& shape) const
+  {
+    static_cast<void>(level);
+    static_cast<void>(shape);
+    return false;
+  }
+
+  // Points of the surface; empty if they are unavailable.
+  virtual SurfaceSample SampleSurface() const { return {}; }
+
+protected:
+  GridSamples() = default;
+
+private:
+  GridSamples(const GridSamples&) = delete;
+  void operator=(const GridSamples&) = delete;
+};
+
+}
+
+#endif

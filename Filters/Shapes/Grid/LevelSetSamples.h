@@ -1,0 +1,36 @@
+// Samples of a sparse level set, which an image carries in place of pixels. Values are trilinear
+// between voxels. Beyond the band they are the level set's background, + or - a constant.
+
+#ifndef LevelSetSamples_h
+#define LevelSetSamples_h
+
+#include "Base/OpenVDB.h"
+#include "Grid/GridSamples.h"
+#include "Grid/ImageSamples.h"
+
+namespace activesurface
+{
+
+class LevelSetSamples : public GridSamples
+{
+public:
+  // Keeps the grid. Throws std::invalid_argument, with a sentence, for a grid without active voxels
+  // or a level that is not finite.
+  LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const ImageLevel& level);
+  ~LevelSetSamples() override;
+
+  double Evaluate(const double x[3], double* gradient) const override;
+  bool GetBounds(double bounds[6]) const override;
+  bool FindShape(double level, LatticeShape& shape) const override;
+
+private:
+  openvdb::FloatGrid::ConstPtr Grid;
+  double IsoValue;
+  double Sign; // of the samples
+  openvdb::Mat4d ToIndex;
+  openvdb::CoordBBox Box; // of the active voxels
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+// Computes distances to a mesh on the lattice nodes near it.
+
+#ifndef MeshDistance_h
+#define MeshDistance_h
+
+#include "Base/OpenVDB.h"
+
+namespace activesurface
+{
+
+struct MeshTriangles;
+
+struct MeshLattice
+{
+  double VoxelSize = 1.0;
+  double Band = 3.0;    // largest distance that is computed [voxels]
+  bool IsSigned = true; // negative inside
+};
+
+// Returns distances in voxels. Node (i, j, k) is at (i, j, k) * VoxelSize. The grid's own transform
+// is the identity, because OpenVDB rejects small voxels. Values beyond the band are + or - Band.
+//
+// OpenVDB's conversion propagates the closest triangle from node to node. Its distances are up to
+// half a voxel too long if triangles are small. A walk over the mesh, from triangle to nearer
+// triangle, then finds the closest triangle.
+openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
+
+}
+
+#endif

@@ -1,0 +1,49 @@
+// Samples of the distance to a mesh on a lattice.
+
+#ifndef MeshSamples_h
+#define MeshSamples_h
+
+#include "Base/OpenVDB.h"
+#include "Grid/GridSamples.h"
+#include "Input/MeshTriangles.h"
+
+namespace activesurface
+{
+
+struct MeshMeasure
+{
+  double VoxelSize = 0.0; // 0: longest side of the mesh / 64
+  double Reach = 0.0;     // 0: diagonal of the mesh / 8
+  double Thickness = 0.0; // of the shell made of a mesh that is not closed; 0: no shell
+  double MaximumNumberOfVoxels = 0.0;
+};
+
+class MeshSamples : public GridSamples
+{
+public:
+  // Throws std::invalid_argument for a mesh without polygons, and for measures that are not finite
+  // or exceed the lattice. Throws std::runtime_error beyond the maximum number of voxels.
+  MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure);
+  ~MeshSamples() override;
+
+  double Evaluate(const double x[3], double* gradient) const override;
+  bool GetBounds(double bounds[6]) const override;
+  bool FindShape(double level, LatticeShape& shape) const override;
+  SurfaceSample SampleSurface() const override { return this->Surface; }
+
+private:
+  void Measure(const MeshMeasure& measure);
+  void Thicken(double thickness);
+
+  double VoxelSize = 0.0;
+  double Reach = 0.0;                    // voxels
+  double HalfShell = 0.0;                // voxels; subtracted from the distance
+  openvdb::FloatGrid::ConstPtr Distance; // of MakeMeshDistance or MakeOpenMeshDistance
+  openvdb::CoordBBox Leaves;             // contains all nodes nearer than Reach, and the inside
+  std::array<double, 6> Bounds;
+  SurfaceSample Surface; // empty for an open mesh without a shell
+};
+
+}
+
+#endif

@@ -1,0 +1,65 @@
+// Converts the polygons and strips of a vtkPolyData to triangles on merged points, and reports
+// defects. It serves all code that needs the inside of a mesh.
+//
+// A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
+// crossings of a path to infinity then determine whether a point is inside. Bodies may touch along
+// an edge of four polygons. An edge of one polygon bounds a hole, and an edge of three polygons
+// ends a wall.
+
+#ifndef MeshTriangles_h
+#define MeshTriangles_h
+
+#include "vtkActiveShapesModule.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace activesurface
+{
+
+struct VTKACTIVESHAPES_EXPORT MeshDefects
+{
+  std::size_t OpenEdges = 0;      // edges of one polygon only
+  std::size_t CrowdedEdges = 0;   // edges of more than two polygons
+  std::size_t OddEdges = 0;       // edges of an odd number of polygons: one, three ...
+  std::size_t BrokenPolygons = 0; // omitted: a point is not finite or does not exist
+  std::size_t FlatPolygons = 0;   // omitted: fewer than three different points
+
+  bool IsClosed() const { return this->OddEdges == 0; }
+
+  // Returns a sentence, or an empty text without defects.
+  std::string Describe() const;
+};
+
+struct VTKACTIVESHAPES_EXPORT MeshTriangles
+{
+  using Point = std::array<double, 3>;
+  using Triangle = std::array<vtkIdType, 3>;
+
+  std::vector<Point> Points; // distinct; only points of triangles
+  std::vector<Triangle> Triangles;
+  std::vector<Triangle> Origins; // corners of the triangles as points of the vtkPolyData
+  MeshDefects Defects;
+
+  // Bounding box of the points; x min > x max if there are none.
+  std::array<double, 6> GetBounds() const;
+};
+
+// Merges points of equal coordinates, so that separate triangles with coincident corners form a
+// closed mesh. Concave polygons are triangulated correctly. Quadrangles are cut the same way with
+// any release of VTK. Lines and vertices are ignored.
+VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
+
+// Bounding box of the polygons and strips, except broken ones, at a small part of the cost. x min >
+// x max if there are none. vtkPolyData's own function fails for a point that does not exist.
+VTKACTIVESHAPES_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
+
+}
+
+#endif

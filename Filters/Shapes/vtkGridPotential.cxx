@@ -1,0 +1,289 @@
+#include "vtkGridPotential.h"
+
+#include "Base/LatticeShape.h"
+#include "Grid/GridSamples.h"
+#include "Grid/ImageSamples.h"
+#include "Grid/LevelSetSamples.h"
+#include "Grid/MeshSamples.h"
+#include "Grid/ThinParts.h"
+#include "Input/AttachedGrid.h"
+#include "Input/BatchEvaluation.h"
+#include "Input/FunctionInput.h"
+#include "Input/MeshTriangles.h"
+#include "Surface/LatticeParts.h"
+#include "Surface/LatticeSurface.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+vtkStandardNewMacro(vtkGridPotential);
+
+namespace
+{
+constexpr double Outside = 1.0; // F without samples
+}
+
+struct vtkGridPotential::Internals
+{
+  activesurface::FunctionInput Input;
+  std::shared_ptr<const activesurface::GridSamples> Given; // from SetSamples, in place of an input
+
+  // Results of Build.
+  std::shared_ptr<const activesurface::GridSamples> Samples;
+  std::string Defects;
+  std::string Error;
+
+  // Results of FindParts.
+  std::shared_ptr<const activesurface::LatticeParts> Parts;
+  double LevelOfParts = 0.0;
+  std::mutex Finding;
+};
+
+vtkGridPotential::vtkGridPotential()
+  : Internal(new Internals)
+{
+}
+
+vtkGridPotential::~vtkGridPotential() = default;
+
+void vtkGridPotential::SetInput(vtkDataSet* input)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.SetData(input) || own.Given)
+  {
+    own.Given = nullptr;
+    this->Modified();
+  }
+}
+
+void vtkGridPotential::SetInputConnection(vtkAlgorithmOutput* output)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.Connect(output) || own.Given)
+  {
+    own.Given = nullptr;
+    this->Modified();
+  }
+}
+
+vtkAlgorithmOutput* vtkGridPotential::GetInputConnection()
+{
+  return this->Internal->Input.GetConnection();
+}
+
+vtkDataSet* vtkGridPotential::GetInput()
+{
+  return vtkDataSet::SafeDownCast(this->Internal->Input.GetData());
+}
+
+void vtkGridPotential::SetSamples(std::shared_ptr<const activesurface::GridSamples> samples)
+{
+  this->Internal->Input.SetData(nullptr);
+  this->Internal->Given = std::move(samples);
+  this->Modified();
+}
+
+void vtkGridPotential::SetScalarArrayName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->ScalarArrayName != wanted)
+  {
+    this->ScalarArrayName = wanted;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkGridPotential::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Internal->Input.FindMTime());
+}
+
+void vtkGridPotential::Build()
+{
+  // GetMTime() would include changes of the transform, which do not affect the samples.
+  const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
+  this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadSamples(); });
+}
+
+void vtkGridPotential::ReadSamples()
+{
+  Internals& own = *this->Internal;
+  own.Samples = nullptr;
+  own.Parts = nullptr;
+  own.Defects.clear();
+  own.Error.clear();
+  try
+  {
+    own.Samples = this->MakeSamples();
+    own.Error = own.Samples ? "" : "There is no input.";
+  }
+  catch (const std::exception& error)
+  {
+    own.Error = error.what();
+    if (this->ReportErrors)
+    {
+      vtkErrorMacro(<< error.what() << " The function is " << Outside << " everywhere, outside.");
+    }
+  }
+  if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)
+  {
+    vtkWarningMacro(<< own.Defects
+                    << " Holes are closed by winding numbers; MeshThickness > 0 makes "
+                    << "a shell of it.");
+  }
+}
+
+std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples()
+{
+  Internals& own = *this->Internal;
+  own.Input.Update();
+  vtkDataObject* input = own.Input.GetData();
+  if (own.Given || !input)
+  {
+    return own.Given;
+  }
+  if (auto image = vtkImageData::SafeDownCast(input))
+  {
+    const activesurface::ImageLevel level{ this->ScalarArrayName, this->IsoValue,
+      this->InvertInside != 0 };
+    const auto grid = activesurface::GetAttachedGrid(image->GetInformation());
+    if (grid && image->GetPointData()->GetNumberOfArrays() == 0)
+    {
+      return std::make_shared<activesurface::LevelSetSamples>(grid, level);
+    }
+    return std::make_shared<activesurface::ImageSamples>(image, level);
+  }
+  if (auto polyData = vtkPolyData::SafeDownCast(input))
+  {
+    const activesurface::MeshTriangles mesh = activesurface::ReadTriangles(polyData);
+    own.Defects = mesh.Defects.Describe();
+    return std::make_shared<activesurface::MeshSamples>(mesh,
+      activesurface::MeshMeasure{ this->VoxelSize, this->Reach, this->MeshThickness,
+        static_cast<double>(this->MaximumNumberOfVoxels) });
+  }
+  throw std::invalid_argument(std::string("A ") + input->GetClassName() +
+    " has no samples on a lattice, and no closed mesh; give a vtkImageData, or a vtkPolyData of "
+    "polygons.");
+}
+
+bool vtkGridPotential::GetGridBounds(double bounds[6])
+{
+  this->Build();
+  vtkMath::UninitializeBounds(bounds);
+  return this->Internal->Samples && this->Internal->Samples->GetBounds(bounds);
+}
+
+const char* vtkGridPotential::GetDefects()
+{
+  this->Build();
+  return this->Internal->Defects.c_str();
+}
+
+const char* vtkGridPotential::GetError()
+{
+  this->Build();
+  return this->Internal->Error.c_str();
+}
+
+double vtkGridPotential::FindThinShare(double thickness)
+{
+  this->Build();
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  return samples ? activesurface::FindThinShare(*samples, samples->SampleSurface(), thickness)
+                 : 0.0;
+}
+
+std::shared_ptr<const activesurface::LatticeParts> vtkGridPotential::FindParts(double level)
+{
+  this->Build();
+  Internals& own = *this->Internal;
+  const std::lock_guard<std::mutex> lock(own.Finding);
+  if (!own.Parts || own.LevelOfParts != level)
+  {
+    activesurface::LatticeShape shape;
+    own.Parts = own.Samples && own.Samples->FindShape(level, shape)
+      ? std::make_shared<activesurface::LatticeParts>(shape)
+      : nullptr;
+    own.LevelOfParts = level;
+  }
+  return own.Parts;
+}
+
+activesurface::SurfacePoints vtkGridPotential::FindSurface(double level)
+{
+  this->Build();
+  activesurface::LatticeShape shape;
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  return samples && samples->FindShape(level, shape) ? activesurface::FindSurfacePoints(shape)
+                                                     : activesurface::SurfacePoints();
+}
+
+void vtkGridPotential::EvaluateBatch(
+  vtkIdType count, const double* points, double* values, double* gradients) const
+{
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double* gradient = gradients ? gradients + 3 * i : nullptr;
+    if (samples)
+    {
+      values[i] = samples->Evaluate(points + 3 * i, gradient);
+      continue;
+    }
+    values[i] = Outside;
+    std::fill_n(gradient, gradient ? 3 : 0, 0.0);
+  }
+}
+
+double vtkGridPotential::EvaluateFunction(double x[3])
+{
+  this->Build();
+  double value;
+  this->EvaluateBatch(1, x, &value, nullptr);
+  return value;
+}
+
+void vtkGridPotential::EvaluateGradient(double x[3], double g[3])
+{
+  this->Build();
+  double value;
+  double gradient[3]; // x and g may be the same array
+  this->EvaluateBatch(1, x, &value, gradient);
+  std::copy_n(gradient, 3, g);
+}
+
+void vtkGridPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* output)
+{
+  if (!input || !output || input->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
+    return;
+  }
+  this->Build();
+  activesurface::EvaluateArray(*this, input, output);
+}
+
+void vtkGridPotential::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->GetInput() << "\n";
+  os << indent << "InputConnection: " << this->GetInputConnection() << "\n";
+  os << indent << "ScalarArrayName: " << this->ScalarArrayName << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "InvertInside: " << (this->InvertInside ? "On" : "Off") << "\n";
+  os << indent << "VoxelSize: " << this->VoxelSize << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "MeshThickness: " << this->MeshThickness << "\n";
+  os << indent << "MaximumNumberOfVoxels: " << this->MaximumNumberOfVoxels << "\n";
+}

@@ -1,0 +1,263 @@
+/**
+ * @class vtkGridPotential
+ * @brief an image, or the distance to a mesh, as an implicit function
+ *
+ * F(x) is interpolated trilinearly between samples on a lattice; the gradient is the exact one of
+ * that interpolation. F is negative inside, as all implicit functions of VTK. The samples are
+ *
+ * - the point scalars of a vtkImageData, of any type and one component: F = sample - IsoValue, or
+ *   IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix are used.
+ *   Beyond the image's box F is the distance to the box [length], so a body that reaches the faces
+ *   is closed there. In voxels that touch a pixel of value NaN, F is NaN.
+ * - the voxels of a sparse level set that a vtkImageData carries in place of arrays
+ *   (vtkActiveVDBReader with OutputDense off), in the same way. Beyond its band F is the level
+ *   set's background, + or - a constant, with gradient 0.
+ * - the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice through
+ *   the origin with voxels of VoxelSize, within Reach of the mesh; +-Reach with gradient 0 beyond.
+ *   A closed mesh bounds a solid, whichever way its polygons are turned. Overlapping bodies are
+ *   united, and voids within a body are filled. Parts thinner than a voxel may be missed.
+ *
+ * Meshes with defects. Points of equal coordinates are merged. GetDefects() reports the edges of
+ * only one polygon (the mesh is open) and those of more than two polygons. It also reports omitted
+ * polygons: a point is not finite or does not exist, or the area is exactly zero. A warning is
+ * issued once when the mesh is read. A mesh is closed if each edge belongs to an even number of
+ * polygons: closed bodies may touch along an edge. A mesh that is not closed becomes a shell if
+ * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Otherwise it is treated as a
+ * solid: points whose winding number exceeds a half are inside (generalized winding numbers), so a
+ * cap from rim to rim closes a hole. A sheet has no inside. The inside is undefined if neighbouring
+ * polygons are turned to different sides.
+ *
+ * Bad input is an error with a sentence, issued once when the input is read, and GetError(). F is
+ * then 1 everywhere (outside) with gradient 0, as without input. Unusable inputs are: other data
+ * sets, flat images (of one pixel along an axis), arrays that are missing or of several components,
+ * axes that are not orthogonal, meshes without polygons, and lattices that are too large.
+ *
+ * Threads. Several threads may evaluate at once, as long as none modifies the function or its
+ * input. The result is bitwise identical for any number of threads and for every method. F and its
+ * gradient are NaN if x is not finite.
+ */
+
+#ifndef vtkGridPotential_h
+#define vtkGridPotential_h
+
+#include "vtkActiveShapesModule.h" // For export macro
+#include "vtkImplicitFunction.h"
+
+#include <memory> // For Internals
+#include <string> // For names of arrays
+
+class vtkAlgorithmOutput;
+class vtkDataSet;
+
+namespace activesurface
+{
+class GridSamples;
+class LatticeParts;
+struct SurfacePoints;
+}
+
+class VTKACTIVESHAPES_EXPORT vtkGridPotential : public vtkImplicitFunction
+{
+public:
+  static vtkGridPotential* New();
+  vtkTypeMacro(vtkGridPotential, vtkImplicitFunction);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * A vtkImageData, or a vtkPolyData with polygons or strips. It is read at the first evaluation
+   * after a change (of its MTime). The pixels of an image are not copied. Default: none, F is 1
+   * everywhere.
+   */
+  void SetInput(vtkDataSet* input);
+  vtkDataSet* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * The output of an algorithm in place of a data set, as within ParaView. The algorithm is updated
+   * at the first evaluation, and again after GetMTime() (which filters call when they update) has
+   * found a change upstream. The update uses the time of the last request. Default: none.
+   */
+  void SetInputConnection(vtkAlgorithmOutput* output);
+  vtkAlgorithmOutput* GetInputConnection();
+  ///@}
+
+  ///@{
+  /**
+   * Image: name of the point array of samples, one number per pixel. Default: empty, the active
+   * scalars or, without them, the first array of one component.
+   */
+  void SetScalarArrayName(const char* name);
+  const char* GetScalarArrayName() const { return this->ScalarArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Image: the sample on the surface F = 0 [unit of the image]. Range: finite. Default: 0.
+   */
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Image: makes values above IsoValue the inside, as in a scan of matter, instead of values below
+   * it, as in a distance. Default: off.
+   */
+  vtkSetMacro(InvertInside, vtkTypeBool);
+  vtkGetMacro(InvertInside, vtkTypeBool);
+  vtkBooleanMacro(InvertInside, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Mesh: spacing of the samples [length]. Memory and time of reading grow with its inverse to the
+   * third power, or to the second at a fixed number of voxels in Reach. Range: >= 0. Default: 0,
+   * the longest side of the mesh's bounds / 64.
+   */
+  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VoxelSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mesh: largest computed distance from it [length]; beyond, F is +-Reach. Memory and time of
+   * reading are proportional to it. Values below three voxels are replaced by three voxels. Range:
+   * >= 0.
+   * Default: 0, an eighth of the diagonal of the mesh's bounds.
+   */
+  vtkSetClampMacro(Reach, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mesh: thickness [length] of the shell made from a mesh that is not closed (an edge belongs to
+   * an odd number of polygons). A closed mesh stays a solid. Below about two voxels the shell has
+   * holes.
+   * Range: >= 0. Default: 0, no shell.
+   */
+  vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number. The
+   * estimate depends on the mesh's position and Reach. A voxel needs about 10 bytes while reading.
+   * Range: >= 1. Default: 500000000.
+   */
+  vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfVoxels, vtkIdType);
+  ///@}
+
+  /**
+   * Box outside which F is not negative [length]: that of the image, of the mesh or its shell, or
+   * of the samples. Returns false, with uninitialized bounds, if there is none. Reads the input.
+   */
+  bool GetGridBounds(double bounds[6]);
+
+  /**
+   * Defects of the mesh as a sentence with counts; empty if there are none. Reads the input.
+   */
+  const char* GetDefects();
+
+  /**
+   * Reason why F is 1 everywhere, as a sentence; empty if it is not. Reads the input.
+   */
+  const char* GetError();
+
+  /**
+   * Includes own changes, those of the transform and those of the input.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * Read the input if anything has changed since the last reading. All methods do so, except
+   * EvaluateBatch.
+   */
+  void Build();
+
+  ///@{
+  /**
+   * F, without the transform. The version for arrays reads points of three components, runs in
+   * parallel and resizes its output.
+   */
+  using vtkImplicitFunction::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override;
+  void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
+  ///@}
+
+  /**
+   * Gradient of F, without the transform: the exact one of the interpolation; 0 where F is
+   * constant.
+   */
+  void EvaluateGradient(double x[3], double g[3]) override;
+
+  /**
+   * F, and its gradients unless that is null, at `count` points (x y z each), without the
+   * transform. Uses the state of the last Build(), in the calling thread.
+   */
+  VTK_WRAPEXCLUDE void EvaluateBatch(
+    vtkIdType count, const double* points, double* values, double* gradients) const;
+
+  /**
+   * Set samples in place of an input, which is released. The properties do not apply to samples.
+   */
+  VTK_WRAPEXCLUDE void SetSamples(std::shared_ptr<const activesurface::GridSamples> samples);
+
+  /**
+   * Fraction of the surface's area, 0 to 1, of parts thinner than a length, from some thousand
+   * points of the surface. Returns 0 if the fraction is unavailable: without input, for an open
+   * mesh without a shell, and for a level set that an image carries. Reads the input.
+   */
+  VTK_WRAPEXCLUDE double FindThinShare(double thickness);
+
+  /**
+   * The connected parts of the region below a level, and its voids, without the transform; null if
+   * they are unavailable. The result for the last level is cached. Reads the input.
+   */
+  VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);
+
+  /**
+   * Points near the surface of a level, without the transform; none if they are unavailable. Reads
+   * the input.
+   */
+  VTK_WRAPEXCLUDE activesurface::SurfacePoints FindSurface(double level);
+
+  ///@{
+  /**
+   * Issue a warning for defects of the mesh and an error for bad input. If off, only GetDefects()
+   * and GetError() report them. Default: true.
+   */
+  VTK_WRAPEXCLUDE void SetWarnOfDefects(bool warn) { this->WarnOfDefects = warn; }
+  VTK_WRAPEXCLUDE void SetReportErrors(bool report) { this->ReportErrors = report; }
+  ///@}
+
+protected:
+  vtkGridPotential();
+  ~vtkGridPotential() override;
+
+private:
+  vtkGridPotential(const vtkGridPotential&) = delete;
+  void operator=(const vtkGridPotential&) = delete;
+
+  void ReadSamples();
+  std::shared_ptr<const activesurface::GridSamples> MakeSamples();
+
+  double IsoValue = 0.0;
+  double VoxelSize = 0.0;
+  double Reach = 0.0;
+  double MeshThickness = 0.0;
+  vtkIdType MaximumNumberOfVoxels = 500000000;
+  vtkTypeBool InvertInside = 0;
+  bool WarnOfDefects = true;
+  bool ReportErrors = true;
+  std::string ScalarArrayName;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,269 @@
+/**
+ * @class vtkSkeletonPotential
+ * @brief sum of compact kernels around points and line segments, as an implicit function
+ *
+ * F(x) = Threshold - sum over elements of strength * W(distance to the element / radius),
+ *
+ * negative inside, as all implicit functions of VTK. The sum and its gradient are exact. The cost
+ * depends on the number of supports around x, not on the number of elements. With q = distance /
+ * radius, the kernel W falls from W(0) = 1 to W(q >= 1) = 0:
+ *
+ *     WYVILL        (1 - q^2)^3
+ *     CUBIC_SPLINE  1 - 6 q^2 + 6 q^3 (q <= 1/2),  2 (1 - q)^3 (q > 1/2)
+ *     METABALL      1 - 3 q^2 (q <= 1/3),  3/2 (1 - q)^2 (q > 1/3)
+ *
+ * The influence of an element ends at its radius. The surface F = 0 of an isolated element is where
+ * W(q) = Threshold / strength. At the defaults (Threshold 0.5, strength 1) that is at 0.4542
+ * (WYVILL), 0.3611 (CUBIC_SPLINE) or 0.4226 (METABALL) of the radius.
+ *
+ * Elements, from the input:
+ * - segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength are
+ *   linear between the two ends and are evaluated at the point of the segment closest to x. If they
+ *   change along the segment, the gradient jumps across the planes through the ends. A piece that
+ *   occurs twice counts once.
+ * - points: every point that is the end of no segment, and every point of a vertex cell. Without
+ *   lines, and in any other vtkPointSet, these are all points, whatever the cells.
+ *
+ * A vtkTable and composite data sets are points, too, through SetInputConnection, as for
+ * vtkActiveImplicitSurface.
+ *
+ * Joints do not bulge. The contribution of a point shared by m segments, which each segment
+ * includes, is subtracted m - 1 times. A straight line thus has the same potential however it is
+ * cut. A bent line or a branching is rounded on the inner side of the bend and equal to a single
+ * segment elsewhere. Only a shared point id makes a joint, not equal coordinates. To thicken a
+ * joint, give its point a vertex cell.
+ *
+ * Particles as a body of fluid. ParticleModel ANISOTROPIC fits an ellipsoid to the neighbourhood of
+ * each point (Yu, Turk 2013), as vtkActiveImplicitSurface does. An isolated point is a ball of its
+ * own radius r, half of ParticleSpacing. The surface of a body passes at distance r outside its
+ * outermost points: a layer is a plane, and N points in a box have a volume of about N (2 r)^3.
+ * Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
+ * Threshold apply only to SUM. With c_i, G_i the centre and the shape of an ellipsoid:
+ *
+ *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
+ *
+ * F is computed in single precision, to about 1e-6.
+ *
+ * Bad input. Elements are ignored if a coordinate, radius or strength is not finite (or above
+ * 1e100), or a radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts them, and a
+ * warning is issued once when the input is read. A named array that is missing or does not have one
+ * number per point is an error. F is then Threshold everywhere, as without input or elements. F and
+ * its gradient are NaN if x is not finite.
+ *
+ * Threads. Several threads may evaluate at once, as long as none modifies the function or its
+ * input. The result is bitwise identical for any number of threads and for every method.
+ * Contributions are always added in the same order: points, then joints, by point id, then segments
+ * by cell.
+ */
+
+#ifndef vtkSkeletonPotential_h
+#define vtkSkeletonPotential_h
+
+#include "vtkActiveShapesModule.h" // For export macro
+#include "vtkImplicitFunction.h"
+
+#include <memory> // For Internals
+#include <string> // For names of arrays
+
+class vtkAlgorithmOutput;
+class vtkPointSet;
+
+class VTKACTIVESHAPES_EXPORT vtkSkeletonPotential : public vtkImplicitFunction
+{
+public:
+  static vtkSkeletonPotential* New();
+  vtkTypeMacro(vtkSkeletonPotential, vtkImplicitFunction);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum KernelType
+  {
+    WYVILL = 0,
+    CUBIC_SPLINE = 1,
+    METABALL = 2
+  };
+
+  enum ParticleModelType
+  {
+    SUM = 0,
+    ANISOTROPIC = 1
+  };
+
+  ///@{
+  /**
+   * Points and segments, see above. They are read at the first evaluation after a change of the
+   * data set, its points or its arrays (of their MTime). Default: none, F is Threshold everywhere.
+   */
+  void SetInput(vtkPointSet* input);
+  vtkPointSet* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * The output of an algorithm in place of a data set, as within ParaView. The algorithm is updated
+   * at the first evaluation, and again after GetMTime() (which filters call when they update) has
+   * found a change upstream. The update uses the time of the last request. Default: none.
+   */
+  void SetInputConnection(vtkAlgorithmOutput* output);
+  vtkAlgorithmOutput* GetInputConnection();
+  ///@}
+
+  ///@{
+  /**
+   * Distance [length] at which the influence of an element ends, without an array of radii.
+   * Range: >= 0; 1e-100 to 1e100, else all elements are ignored, with a warning. Default: 1.
+   */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of radii [length], one number > 0 per point, in place of Radius. Radii
+   * may differ by any factor; each halving adds to the cost of an evaluation.
+   * Default: empty, none.
+   */
+  void SetRadiusArrayName(const char* name);
+  const char* GetRadiusArrayName() const { return this->RadiusArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of strengths [1], one number per point; negative ones carve. Range of
+   * the numbers: -1e100 to 1e100. Default: empty, all elements have strength 1.
+   */
+  void SetStrengthArrayName(const char* name);
+  const char* GetStrengthArrayName() const { return this->StrengthArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Kernel: decrease of influence with distance. WYVILL (0), twice differentiable, the cheapest;
+   * CUBIC_SPLINE (1), the kernel of SPH, narrower; METABALL (2). Default: WYVILL.
+   */
+  vtkSetClampMacro(Kernel, int, WYVILL, METABALL);
+  vtkGetMacro(Kernel, int);
+  void SetKernelToWyvill() { this->SetKernel(WYVILL); }
+  void SetKernelToCubicSpline() { this->SetKernel(CUBIC_SPLINE); }
+  void SetKernelToMetaball() { this->SetKernel(METABALL); }
+  ///@}
+
+  ///@{
+  /**
+   * Sum of influences [1] on the surface F = 0, and the value of F away from all elements: lower
+   * values give thicker bodies. Range: > 0; else all space would be inside, which is an error.
+   * Default: 0.5.
+   */
+  vtkSetMacro(Threshold, double);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Model that makes a surface of points. SUM (0), of Kernel. ANISOTROPIC (1), flat for a body of
+   * fluid, a ball of its own radius for an isolated point. Lines need SUM, else there is an error.
+   * Default: SUM.
+   */
+  vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
+  vtkGetMacro(ParticleModel, int);
+  void SetParticleModelToSum() { this->SetParticleModel(SUM); }
+  void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
+  ///@}
+
+  ///@{
+  /**
+   * Usual distance of neighbours [length], twice a point's own radius; not used by SUM.
+   * Range: >= 0; 1e-100 to 1e100, or 0 for 1 / 2.25 of a point's Radius. Default: 0.
+   */
+  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest ratio of a kernel's axes [1], of ANISOTROPIC: 1 for balls. Range: 1 to 100. Default: 4.
+   */
+  vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  /**
+   * Box of all influence [length]: points and ends of segments, enlarged by their radii, or the
+   * ellipsoids of ANISOTROPIC. F is constant outside. Returns false, with uninitialized bounds,
+   * without elements. Reads the input.
+   */
+  bool GetSkeletonBounds(double bounds[6]);
+
+  /**
+   * Number of points and segments that are ignored because of an unusable number. Reads the input.
+   */
+  vtkIdType GetNumberOfIgnoredElements();
+
+  /**
+   * Includes own changes, those of the transform and those of the input.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * Read the input if anything has changed since the last reading. All methods do so, except
+   * EvaluateBatch.
+   */
+  void Build();
+
+  ///@{
+  /**
+   * F, without the transform. The version for arrays reads points of three components, runs in
+   * parallel and resizes its output.
+   */
+  using vtkImplicitFunction::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override;
+  void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
+  ///@}
+
+  /**
+   * Gradient of F, without the transform; 0 away from all elements.
+   */
+  void EvaluateGradient(double x[3], double g[3]) override;
+
+  /**
+   * F, and its gradients unless that is null, at `count` points (x y z each), without the
+   * transform. Uses the state of the last Build(), in the calling thread.
+   */
+  VTK_WRAPEXCLUDE void EvaluateBatch(
+    vtkIdType count, const double* points, double* values, double* gradients) const;
+
+  /**
+   * Set point elements in place of an input, which is released: x y z each, and radii and strengths
+   * unless null (Radius, 1). The data are copied. Nothing is allocated, here and in the next
+   * Build(), if there have been as many elements before. For moving particles: elements are ignored
+   * without a warning.
+   */
+  VTK_WRAPEXCLUDE void SetElements(
+    vtkIdType count, const double* positions, const double* radii, const double* strengths);
+
+protected:
+  vtkSkeletonPotential();
+  ~vtkSkeletonPotential() override;
+
+private:
+  vtkSkeletonPotential(const vtkSkeletonPotential&) = delete;
+  void operator=(const vtkSkeletonPotential&) = delete;
+
+  void SetName(std::string& member, const char* name);
+  void ReadElements();
+  void FitBody();
+  vtkIdType AddOwnElements();
+
+  double Radius = 1.0;
+  double Threshold = 0.5;
+  int Kernel = WYVILL;
+  int ParticleModel = SUM;
+  double ParticleSpacing = 0.0;
+  double Anisotropy = 4.0;
+  std::string RadiusArrayName;
+  std::string StrengthArrayName;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

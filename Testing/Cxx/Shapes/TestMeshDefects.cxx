@@ -1,0 +1,167 @@
+// Defects of meshes, shells, and meshes that vtkGridPotential refuses.
+
+#include "Shapes/MeshShapes.h"
+#include "Support/MessageCapture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace TestMeshDefects
+{
+
+// The shell's walls are spheres 0.1 inside and outside of the mesh. Its distance has a kink at the
+// mesh, which interpolation smooths within two voxels. Elsewhere the error is that of a sphere,
+// 0.01 at h = 0.05.
+TEST(TestMeshDefects, OpenMeshesBecomeShells)
+{
+  const auto half = MakeSphere(Radius, 24, 90.0);
+  vtkNew<vtkGridPotential> potential;
+  const MessageCapture messages(potential);
+  potential->SetInput(half);
+  potential->SetVoxelSize(0.05);
+  const std::string expected = "The mesh has defects: 24 open edges (of one polygon only).";
+  EXPECT_EQ(std::string(potential->GetDefects()), expected) << "defects";
+  EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
+  EXPECT_TRUE(messages.Has("24 open edges")) << "which names them";
+  potential->SetMeshThickness(0.4);
+  EXPECT_NEAR(ValueAt(potential, { 0.0, 0.0, 0.5 }), 0.1, 0.015) << "below the shell";
+  EXPECT_NEAR(ValueAt(potential, { 0.0, 0.0, 0.65 }), -0.05, 0.015) << "in its lower half";
+  EXPECT_NEAR(ValueAt(potential, { 0.0, 0.0, 0.95 }), -0.05, 0.015) << "in its upper half";
+  EXPECT_NEAR(ValueAt(potential, { 0.0, 0.0, 1.1 }), 0.1, 0.015) << "above it";
+  EXPECT_GT(ValueAt(potential, { 0.0, 0.0, -0.8 }), 0.2) << "where the other half would be";
+  double bounds[6];
+  EXPECT_TRUE(potential->GetGridBounds(bounds)) << "bounds";
+  EXPECT_NEAR(bounds[5], 1.0, 1e-12) << "upper bound";
+  EXPECT_NEAR(bounds[4], -0.2, 1e-12) << "lower bound";
+  EXPECT_EQ(messages.Warnings.size(), 2u) << "one more warning, as it was read again";
+  potential->SetWarnOfDefects(false);
+  potential->Modified();
+  potential->Build();
+  EXPECT_EQ(messages.Warnings.size(), 2u) << "none when it is turned off";
+  potential->SetInput(MakeSphere(Radius, 24));
+  EXPECT_LT(ValueAt(potential, { 0.0, 0.0, 0.0 }), -0.1) << "a closed one stays a solid";
+}
+
+// Faces are flat, so distances are exact up to the single precision of samples.
+TEST(TestMeshDefects, CubesThatShareAnEdgeAreASolid)
+{
+  vtkNew<vtkGridPotential> potential;
+  const MessageCapture messages(potential);
+  potential->SetInput(Append(MakeCube(-1.0, 0.0), MakeCube(0.0, 1.0)));
+  potential->SetVoxelSize(0.05);
+  EXPECT_EQ(
+    std::string(potential->GetDefects()), "The mesh has defects: 1 edge of more than two polygons.")
+    << "defects";
+  EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
+  EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "in one cube";
+  EXPECT_NEAR(ValueAt(potential, { 0.8, 0.5, 0.5 }), -0.2, 1e-6) << "in the other";
+  EXPECT_NEAR(ValueAt(potential, { 0.8, -0.2, 0.5 }), 0.2, 1e-6) << "beside them";
+  potential->SetMeshThickness(0.1);
+  EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "closed: no shell";
+}
+
+// The lost point belongs to five or six triangles. They are ignored, and leave a hole with as many
+// edges.
+TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
+{
+  for (const double bad : { NaN, Infinity, 1e200 })
+  {
+    auto sphere = MakeSphere(Radius, 12);
+    sphere->GetPoints()->SetPoint(40, 0.0, bad, 0.0);
+    vtkNew<vtkGridPotential> potential;
+    const MessageCapture messages(potential);
+    potential->SetInput(sphere);
+    EXPECT_EQ(std::string(potential->GetDefects()),
+      "The mesh has defects: 6 open edges (of one polygon only), 6 polygons with a point that is "
+      "not finite or does not exist.")
+      << "defects";
+    EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
+    EXPECT_EQ(messages.Errors.size(), 0u) << "no error";
+    EXPECT_TRUE(std::isfinite(ValueAt(potential, { 0.1, 0.2, 0.3 }))) << "a value";
+    double bounds[6];
+    EXPECT_TRUE(potential->GetGridBounds(bounds) && bounds[3] <= Radius) << "bounds";
+  }
+  const std::vector<Point> corners = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
+    { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } };
+  vtkNew<vtkGridPotential> potential;
+  const MessageCapture messages(potential);
+  potential->SetInput(MakeMesh(corners,
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 1, 2, 4 }, { 1, 2, 9 }, { -1, 2, 3 },
+      { 0, 1 }, {} }));
+  potential->SetMeshThickness(0.1);
+  EXPECT_EQ(std::string(potential->GetDefects()),
+    "The mesh has defects: 2 polygons with a point that is not finite or does not exist, 3 "
+    "polygons "
+    "of fewer than three different points.")
+    << "defects";
+  EXPECT_LT(ValueAt(potential, { 0.2, 0.2, 0.2 }), -0.1) << "closed without them: a solid";
+}
+
+namespace
+{
+void ExpectError(vtkGridPotential* potential, const std::string& words)
+{
+  const MessageCapture messages(potential);
+  EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 1.0) << words << ": outside everywhere";
+  EXPECT_TRUE((GradientAt(potential, { 0.0, 0.0, 0.0 }) == Point{ 0.0, 0.0, 0.0 }))
+    << "no gradient";
+  EXPECT_EQ(messages.Errors.size(), 1u) << words << ": one error";
+  EXPECT_EQ(messages.Warnings.size(), 0u) << words << ": no warning besides";
+  EXPECT_TRUE(messages.Has(words)) << potential->GetError();
+}
+}
+
+TEST(TestMeshDefects, MeshesOfNoUseAreOneError)
+{
+  const auto expect = [](vtkPolyData* mesh, const std::string& words)
+  {
+    vtkNew<vtkGridPotential> potential;
+    potential->SetInput(mesh);
+    ExpectError(potential, words);
+  };
+  expect(vtkNew<vtkPolyData>(), "has no polygons");
+  expect(MakeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, {}), "has no polygons");
+  expect(MakeMesh({ { 0.0, 0.0, NaN }, { 1.0, 0.0, 0.0 } }, { { 0, 1, 1 } }), "no polygon of use");
+  vtkNew<vtkPolyData> noPoints;
+  noPoints->SetPolys(MakeMesh({}, { { 0, 1, 2 } })->GetPolys());
+  expect(noPoints, "no polygon of use");
+}
+
+TEST(TestMeshDefects, LatticesTooLargeAreRefused)
+{
+  const auto expect = [](
+                        const std::string& words, const std::function<void(vtkGridPotential*)>& set)
+  {
+    vtkNew<vtkGridPotential> potential;
+    potential->SetInput(MakeSphere(Radius, 20));
+    set(potential);
+    ExpectError(potential, words);
+  };
+  const std::string tooMany = "MaximumNumberOfVoxels";
+  expect(tooMany, [](vtkGridPotential* p) { p->SetVoxelSize(1e-4); });
+  expect("10^9 voxels", [](vtkGridPotential* p) { p->SetVoxelSize(1e-12); });
+  expect("10^9 voxels", [](vtkGridPotential* p) { p->SetVoxelSize(1e-320); });
+  expect("VoxelSize must be", [](vtkGridPotential* p) { p->SetVoxelSize(NaN); });
+  expect(tooMany, [](vtkGridPotential* p) { p->SetReach(1e6); });
+  expect(tooMany, [](vtkGridPotential* p) { p->SetReach(Infinity); });
+  expect("Reach must be", [](vtkGridPotential* p) { p->SetReach(NaN); });
+  expect("MeshThickness must be", [](vtkGridPotential* p) { p->SetMeshThickness(NaN); });
+  expect(tooMany, [](vtkGridPotential* p) { p->SetMaximumNumberOfVoxels(100000); });
+  // A sliver without area, 1e8 voxels long.
+  expect(tooMany,
+    [](vtkGridPotential* p)
+    {
+      p->SetInput(
+        MakeMesh({ { 0.0, 0.0, 0.0 }, { 1e8, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, { { 0, 1, 2 } }));
+      p->SetVoxelSize(1.0);
+      p->SetReach(3.0);
+    });
+}
+
+}
