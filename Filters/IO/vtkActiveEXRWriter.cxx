@@ -2,7 +2,6 @@
 
 #include "Common/FileError.h"
 #include "Common/FileSeries.h"
-#include "EXR/EXRPlan.h"
 #include "EXR/EXRWriting.h"
 
 #include "vtkImageData.h"

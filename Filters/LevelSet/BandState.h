@@ -10,7 +10,6 @@
 #include "Front/Displacement.h"
 #include "Front/PaperStep.h"
 #include "Front/SkinMeasure.h"
-#include "Front/SteadyWindow.h"
 #include "Front/SubstepBuffers.h"
 #include "Front/TimeStep.h"
 #include "Leaves/ActiveSet.h"

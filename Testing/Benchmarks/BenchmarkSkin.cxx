@@ -12,8 +12,8 @@
 #include "Measuring.h"
 #include "NarrowBandGrid.h"
 #include "Scenes.h"
-#include "Surface/PotentialImage.h"
 #include "Surface/Skin.h"
+#include "Surface/SkinDistance.h"
 
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"

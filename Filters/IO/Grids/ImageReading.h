@@ -3,14 +3,57 @@
 #ifndef ImageReading_h
 #define ImageReading_h
 
-#include "Grids/GridChoice.h"
+#include "VDBFile.h"
 
 #include "vtkType.h"
+
+#include <string>
+#include <vector>
 
 class vtkImageData;
 
 namespace activesurface
 {
+
+// A validated file and the grids that are read of it: volumes of one transform, or one grid of
+// points.
+struct ChosenGrids
+{
+  std::string FileName;
+  VDBFile File;
+  std::vector<VDBGrid> Grids;
+
+  bool AreOfPoints() const;
+  // Bounding box of the active voxels.
+  openvdb::CoordBBox FindActiveBox() const;
+};
+
+// Chooses grids by name or, without names, the best one by class. Throws std::exception if the file
+// cannot be read; std::invalid_argument, with a list of the available grids, for other names.
+ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names);
+
+// Position and size of an image whose points are every `factor`th voxel of a grid.
+struct ImagePlace
+{
+  int Extent[6] = { 0, -1, 0, -1, 0, -1 };
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
+  double Direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+
+  double CountPoints() const; // as a double: the count may exceed any integer
+};
+
+// Throws std::invalid_argument for a transform that is not a rotation and scale.
+ImagePlace MakeImagePlace(
+  const openvdb::math::Transform& transform, const openvdb::CoordBBox& box, int factor);
+
+// Box in index coordinates (x min, x max...). Throws std::invalid_argument for an empty box or one
+// beyond 2^30.
+openvdb::CoordBBox FindVoxels(const int region[6]);
+
+// Voxels that cover a box in world space (x min, x max...). Throws std::invalid_argument for a box
+// that is empty, not finite or too far away.
+openvdb::CoordBBox FindVoxels(const openvdb::math::Transform& transform, const double bounds[6]);
 
 struct ImageRequest
 {

@@ -137,7 +137,7 @@ inline bool HasTargetSpeed(const Motion& motion)
 struct SteadyStateCriterion
 {
   /** Largest normal speed at the sample points [voxels/time]. If it is not 0, the surface is also
-   * steady if the rest of its motion is an oscillation; see SteadyWindow.h. */
+   * steady if the rest of its motion is an oscillation; see Displacement.h. */
   double Tolerance = 1e-3;
   /** A sample point that has come farther in a window of substeps moves [voxels]. */
   static constexpr double Still = .02;
@@ -163,7 +163,7 @@ struct AdvanceReport
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
   /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the
-   * surface that moved in the last window, see SteadyWindow.h; not a number before the first has
+   * surface that moved in the last window, see Displacement.h; not a number before the first has
    * ended. */
   double MovingShare = 0.0;
   double MovingDistance = 0.0; //< likewise, by how far on the average [voxels]

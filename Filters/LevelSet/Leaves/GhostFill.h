@@ -8,7 +8,7 @@
  *   a = a1 + g,  g = 2 (a1 - a2) - (a2 - a3) limited to [0, 2 (a1 - a2)],  weight g^2
  *
  * If the weights sum to less than 1 % of the largest (a1 - a2)^2, the rays of two nodes and the
- * corners of squares count too (LayerFill.h). Three points make tension converge; four would be
+ * corners of squares count too (LayerFill). Three points make tension converge; four would be
  * more exact but are unstable at a steady state. A node that enters the band was not updated by
  * this substep. Its old value would be an error of 0.1 %, so the node is filled too.
  */

@@ -2,8 +2,9 @@
 
 #include "Base/PortableMath.h"
 #include "Base/ReportSum.h"
-#include "March/ArrivingTarget.h"
+#include "Base/Target.h"
 #include "March/PartCores.h"
+#include "March/RemainingDistance.h"
 #include "NarrowBandGrid.h"
 #include "Surface/SkinMotion.h"
 
@@ -16,6 +17,90 @@ namespace activesurface
 
 namespace
 {
+
+/**
+ * A static target for a surface that has to arrive at a given time. Its value is the remaining
+ * distance of the surface.
+ */
+class ArrivingTarget : public Target
+{
+public:
+  /** The caller owns all arguments. */
+  ArrivingTarget(Target& goal, const RemainingDistance& remaining, double voxelSize)
+    : Goal(goal)
+    , Remaining(remaining)
+    , VoxelSize(voxelSize)
+  {
+  }
+
+  /** Called when the attraction changes: converged leaves may then move again. */
+  void Wake() { this->IsAwake = this->HasWoken = true; }
+
+  void MoveTo(double time) override;
+  bool MayHaveChanged(const double bounds[6]) const override;
+  void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const override;
+  bool IsThreadSafe() const override { return this->Goal.IsThreadSafe(); }
+
+private:
+  void Lengthen(double remaining, double& value, double& slope) const;
+
+  Target& Goal;
+  const RemainingDistance& Remaining;
+  const double VoxelSize;
+  bool IsAwake = true;  //< in the current substep
+  bool HasWoken = true; //< before the current substep
+};
+
+void ArrivingTarget::MoveTo(double time)
+{
+  this->Goal.MoveTo(time);
+  this->IsAwake = this->HasWoken;
+  this->HasWoken = false;
+}
+
+bool ArrivingTarget::MayHaveChanged(const double bounds[6]) const
+{
+  return this->IsAwake || this->Goal.MayHaveChanged(bounds);
+}
+
+void ArrivingTarget::Evaluate(
+  std::size_t count, const double* points, const TargetResults& results) const
+{
+  this->Goal.Evaluate(count, points, results);
+  constexpr std::size_t batch = 128;
+  bool grow[batch];
+  double remaining[batch];
+  for (std::size_t first = 0; first < count; first += batch)
+  {
+    const std::size_t size = std::min(batch, count - first);
+    double* values = results.Values + first;
+    std::transform(values, values + size, grow, [](double value) { return value < 0.0; });
+    this->Remaining.Find(size, points + 3 * first, grow, remaining);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      this->Lengthen(remaining[i], values[i], results.Slopes[first + i]);
+    }
+  }
+}
+
+// Lengthens the value to the remaining distance, which falls linearly to 0 within a voxel of the
+// target. The result is at least |F|, or two voxels if |F| is larger.
+void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
+{
+  const double distance = std::fabs(value), voxel = this->VoxelSize;
+  if (!(remaining >= 0.0) || !std::isfinite(value))
+  {
+    return;
+  }
+  const double near = std::min(distance, 2.0 * voxel);
+  const double far = remaining * std::min(distance / voxel, 1.0);
+  if (far > near)
+  {
+    slope = distance < voxel ? slope * remaining / voxel : 1.0;
+  }
+  value = std::copysign(std::max(far, near), value);
+}
 
 /** Decrease of ln(remaining time) in each interval; distances fall by the same factor. The sum of
  * 10 would leave 1/22000 of the distances. */

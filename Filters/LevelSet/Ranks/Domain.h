@@ -17,6 +17,11 @@
 namespace activesurface
 {
 
+/** costsBefore: of each leaf the costs of all leaves before it, and at the end those of all.
+ * Returns the first leaf of each rank, and at the end the number of leaves. A range differs from
+ * its even share by less than the costs of one leaf at each of its ends. */
+std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);
+
 /** Cost of a leaf, in units of the cost of a particle. */
 struct LeafCost
 {

@@ -12,6 +12,15 @@ namespace activesurface
 {
 
 /**
+ * Equals MakeInitialPotential, at a cost proportional to the function's regions, whatever the
+ * bounds. The function is sampled in the leaves that the regions touch. Space outside the regions
+ * is filled from inside nodes leaf by leaf, without evaluations.
+ */
+openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
+  const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
+  const ProgressFunction& progress);
+
+/**
  * Returns a potential bitwise identical to that of MakeInitialPotential, at a cost proportional to
  * the points. The function is sampled at the nodes near the points and at the faces of the bounds.
  */

@@ -24,7 +24,7 @@ public:
   std::size_t CountActive() const;
 
   /** Sets u in the layers to the first-order distances to the zero set of the function; see
-   * PartDistances.h. */
+   * PartDistances. */
   void FindDistances(const LatticeFunction& function);
 
   const openvdb::FloatTree::Ptr& GetTree() const { return this->Tree; }

@@ -1,7 +1,7 @@
 #include "State/PackedBand.h"
 
 #include "Base/OpenVDB.h"
-#include "State/SavedTree.h"
+#include "State/StateGrid.h"
 
 #include <openvdb/tools/SignedFloodFill.h>
 

@@ -9,6 +9,13 @@
 namespace activesurface
 {
 
+/** Throws std::runtime_error if the surface crosses an edge from a leaf to a tile, because the band
+ * would grow along the whole tile, or if a leaf is beyond 2^30 nodes. */
+void CheckTree(const openvdb::FloatTree& tree);
+
+/** Throws std::runtime_error: the saved state is damaged. */
+[[noreturn]] void RefuseState();
+
 /** The state without its potential. */
 struct StateNumbers
 {
@@ -28,7 +35,7 @@ openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 
 /** Throws std::runtime_error if a number is missing, a value is not finite, or the tree is damaged
- * (SavedTree.h). */
+ * (see CheckTree). */
 StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid);
 
 }

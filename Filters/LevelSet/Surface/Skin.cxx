@@ -5,7 +5,7 @@
 #include "Leaves/LeafBlock.h"
 #include "Leaves/LeafKernels.h"
 #include "NarrowBand.h"
-#include "Ranks/LeafRanges.h"
+#include "Ranks/Domain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,11 @@
 #include "Nodes/NodeFits.h"
 
 #include "Index/ParallelTasks.h"
-#include "Nodes/NeighbourLimit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace activesurface
 {
@@ -377,6 +378,15 @@ void NodeFits::FindStrengths(Search& search)
     this->Ellipsoids[row].Strength =
       this->Given.Strength[k] / std::max(value, leastShare * this->Lone[row]);
   }
+}
+
+void RefuseNeighbours(std::size_t particles)
+{
+  throw std::invalid_argument("The " + std::to_string(particles) + " particles have more than " +
+    std::to_string(MostNeighbours) +
+    " neighbours in reach on the average, where some 200 are usual; check whether many are in the "
+    "same place, and whether ParticleSpacing and KernelRadius (or the array of radii) are in the "
+    "particles' own units, or set ParticleModel to SUM.");
 }
 
 }

@@ -5,6 +5,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include "Grid/GridSamples.h"
+
 #include <array>
 #include <memory>
 
@@ -15,6 +17,21 @@ namespace activesurface
 
 class NarrowBand;
 class SkinDistance;
+
+class SkinSamples : public GridSamples
+{
+public:
+  // Positions in the skin are relative to the origin.
+  SkinSamples(std::shared_ptr<const SkinDistance> skin, const std::array<double, 3>& origin);
+  ~SkinSamples() override;
+
+  double Evaluate(const double x[3], double* gradient) const override;
+  bool GetBounds(double bounds[6]) const override;
+
+private:
+  std::shared_ptr<const SkinDistance> Skin;
+  std::array<double, 3> Origin;
+};
 
 class SkinFunction
 {

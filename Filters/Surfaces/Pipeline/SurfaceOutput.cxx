@@ -2,8 +2,8 @@
 
 #include "NarrowBand.h"
 #include "Simulation/SurfaceHistory.h"
-#include "Surface/PotentialImage.h"
 #include "Surface/Skin.h"
+#include "Surface/SkinDistance.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,16 +1,54 @@
 #include "Simulation/MotionDriver.h"
 
+#include "Base/Obstacle.h"
 #include "Simulation/MotionWarnings.h"
 #include "Simulation/SurfaceStart.h"
-#include "Targets/FunctionObstacle.h"
+#include "Targets/FunctionSampler.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+class vtkImplicitFunction;
 
 namespace activesurface
 {
 
 namespace
 {
+
+// A vtkImplicitFunction as an obstacle.
+
+double FindDistance(double value, const double gradient[3])
+{
+  const double slope = std::hypot(gradient[0], gradient[1], gradient[2]);
+  const double far = value == 0.0 ? 0.0 : HUGE_VAL * value;
+  return std::isfinite(slope) && slope > 0.0 ? value / slope : far;
+}
+
+// The distances are F / |grad F|, exact to first order. Where the gradient vanishes or is not
+// finite, the distance is infinite with the sign of F, or 0 if F is 0. origin: origin of the
+// obstacle's points. The function must not change during the obstacle's lifetime.
+std::unique_ptr<Obstacle> MakeObstacle(
+  vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin)
+{
+  // Step of the differences that replace gradients a function does not provide [voxels].
+  constexpr double step = 0.125;
+  const auto sampler = std::make_shared<const FunctionSampler>(function, step * voxelSize, origin);
+  const auto distances = [sampler](std::size_t count, const double* points, double* results)
+  {
+    std::vector<double> gradients(3 * count);
+    sampler->Sample(count, points, results, gradients.data());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      results[i] = FindDistance(results[i], gradients.data() + 3 * i);
+    }
+  };
+  return std::make_unique<Obstacle>(voxelSize, distances, sampler->IsThreadSafe());
+}
 
 // Least number of substeps from one step to the next over a moving target. The target is evaluated
 // at least this often in the interval, however slow the surface is.
@@ -25,7 +63,6 @@ constexpr double TensionOfSpacing = 1.0 / 2.0;
 // Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
 // are repeated in the whole margin, so those at the walls have their neighbours too.
 constexpr double ShareOfMargin = 0.5;
-
 constexpr char NoNodes[] =
   " takes explicit substeps, which do not carry the skin along with the particles: it may be late, "
   "and is not smoothed by their spacing. Set TimeIntegration to EXPLICIT if that is meant.";

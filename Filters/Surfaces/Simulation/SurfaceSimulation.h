@@ -13,11 +13,11 @@
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
+#include "Base/Walls.h"
+#include "NarrowBand.h"
 #include "Simulation/ArrayFrames.h"
-#include "Simulation/BoxView.h"
-#include "Simulation/Checkpoints.h"
 #include "Simulation/MotionDriver.h"
-#include "Simulation/RestartWarning.h"
+#include "Simulation/MotionWarnings.h"
 #include "Simulation/SharedFrames.h"
 #include "Simulation/SkinAttributes.h"
 #include "Simulation/StateFile.h"
@@ -30,6 +30,7 @@
 #include "Simulation/Warnings.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -39,6 +40,38 @@
 
 namespace activesurface
 {
+
+// The part of a surface within the sides of a periodic box, for the outputs. The state itself
+// extends beyond the sides, so that the surface enters the box from there.
+class BoxView
+{
+public:
+  void Clear() { this->Last = {}; }
+
+  // Returns the part within the sides, closed at them. Caches the parts of the last two surfaces:
+  // the same surface yields the same object.
+  std::shared_ptr<const NarrowBand> Cut(
+    const std::shared_ptr<const NarrowBand>& whole, const Walls& sides)
+  {
+    for (const Entry& entry : this->Last)
+    {
+      if (entry.Whole == whole)
+      {
+        return entry.Part;
+      }
+    }
+    std::shared_ptr<const NarrowBand> part = whole->MakePartWithin(sides);
+    this->Last = { Entry{ whole, part }, this->Last[0] };
+    return part;
+  }
+
+private:
+  struct Entry
+  {
+    std::shared_ptr<const NarrowBand> Whole, Part;
+  };
+  std::array<Entry, 2> Last;
+};
 
 // No limit changes the motion.
 struct SimulationLimits

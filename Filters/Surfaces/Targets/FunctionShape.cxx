@@ -1,18 +1,169 @@
 #include "Targets/FunctionShape.h"
 
-#include "Targets/BlendedTarget.h"
 #include "Targets/ShapeOptions.h"
 
 #include "Input/AttachedData.h"
+#include "Targets/FunctionSampler.h"
+#include "Targets/GridParts.h"
+#include "Targets/MovingTarget.h"
+#include "Targets/TargetFrames.h"
 #include "vtkImageData.h"
+#include "vtkImplicitFunction.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace activesurface
 {
+namespace
+{
+
+// Target that moves between the shapes of two steps: F = (1 - f) F0 + f F1 at the fraction f of the
+// interval, where F0 and F1 are the functions of the two steps.
+class BlendedTarget : public MovingTarget
+{
+public:
+  // The caller owns the frames. They must contain the steps that MoveAlong uses; each step that is
+  // not empty must have a function. differences: step of the central differences (FunctionSampler).
+  // outside: value of a frame without a function. knowsParts: the parts of the functions are
+  // available (GridParts.h).
+  BlendedTarget(const TargetFrames& frames, double differences, double outside, bool knowsParts,
+    const TargetOptions& options);
+
+  bool IsThreadSafe() const override;
+  bool HasRegions() const override { return this->KnowsParts; }
+  // Visits the parts of both steps.
+  void ForEachPart(const PartVisitor& visit) const override;
+  SurfacePoints FindSurface() const override;
+
+protected:
+  void Place(int step, double fraction) override;
+  void Sample(
+    std::size_t count, const double* points, double* values, double* gradients) const override;
+
+private:
+  struct Shape
+  {
+    int Step = -1;
+    std::unique_ptr<FunctionSampler> Function; // null for an empty frame
+    vtkSmartPointer<vtkImplicitFunction> Source;
+  };
+
+  void Take(int step, Shape& shape) const;
+  void SampleShape(const Shape& shape, std::size_t count, const double* points, double* values,
+    double* gradients) const;
+
+  const TargetFrames& Frames;
+  const double Differences;
+  const double Outside;
+  const bool KnowsParts;
+  double Blend = 0.0; // weight of the later shape
+  Shape Earlier, Later;
+};
+
+void AddWeighted(
+  double weight, std::size_t count, const double* earlier, const double* later, double* sum)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    sum[i] = (1.0 - weight) * earlier[i] + weight * later[i];
+  }
+}
+
+BlendedTarget::BlendedTarget(const TargetFrames& frames, double differences, double outside,
+  bool knowsParts, const TargetOptions& options)
+  : MovingTarget(options)
+  , Frames(frames)
+  , Differences(differences)
+  , Outside(outside)
+  , KnowsParts(knowsParts)
+{
+}
+
+bool BlendedTarget::IsThreadSafe() const
+{
+  const auto isSafe = [](const Shape& shape)
+  { return !shape.Function || shape.Function->IsThreadSafe(); };
+  return isSafe(this->Earlier) && isSafe(this->Later);
+}
+
+void BlendedTarget::Place(int step, double fraction)
+{
+  this->Take(step, this->Earlier);
+  this->Blend = this->Frames.Has(step + 1) ? fraction : 0.0;
+  if (this->Blend > 0.0)
+  {
+    this->Take(step + 1, this->Later);
+  }
+}
+
+void BlendedTarget::Take(int step, Shape& shape) const
+{
+  if (step != shape.Step)
+  {
+    vtkImplicitFunction* function = this->Frames.GetFunction(step);
+    shape.Source = function;
+    shape.Function =
+      function ? std::make_unique<FunctionSampler>(function, this->Differences) : nullptr;
+    shape.Step = step;
+  }
+}
+
+void BlendedTarget::ForEachPart(const PartVisitor& visit) const
+{
+  if (this->KnowsParts)
+  {
+    ForEachPartOf(this->Earlier.Source, this->GetOptions(), visit);
+    ForEachPartOf(this->Blend > 0.0 ? this->Later.Source : nullptr, this->GetOptions(), visit);
+  }
+}
+
+SurfacePoints BlendedTarget::FindSurface() const
+{
+  return this->Blend == 0.0 ? FindSurfaceOf(this->Earlier.Source, this->GetOptions())
+                            : SurfacePoints();
+}
+
+void BlendedTarget::SampleShape(const Shape& shape, std::size_t count, const double* points,
+  double* values, double* gradients) const
+{
+  if (shape.Function)
+  {
+    shape.Function->Sample(count, points, values, gradients);
+    return;
+  }
+  std::fill_n(values, count, this->Outside);
+  std::fill_n(gradients, gradients ? 3 * count : 0, 0.0);
+}
+
+void BlendedTarget::Sample(
+  std::size_t count, const double* points, double* values, double* gradients) const
+{
+  this->SampleShape(this->Earlier, count, points, values, gradients);
+  constexpr std::size_t batch = 128;
+  double laterValues[batch];
+  double laterGradients[3 * batch];
+  for (std::size_t first = 0; first<count&& this->Blend> 0.0; first += batch)
+  {
+    const std::size_t size = std::min(batch, count - first);
+    this->SampleShape(
+      this->Later, size, points + 3 * first, laterValues, gradients ? laterGradients : nullptr);
+    double* value = values + first;
+    AddWeighted(this->Blend, size, value, laterValues, value);
+    if (gradients)
+    {
+      double* gradient = gradients + 3 * first;
+      AddWeighted(this->Blend, 3 * size, gradient, laterGradients, gradient);
+    }
+  }
+}
+
+}
 
 FunctionShape::FunctionShape(vtkSmartPointer<vtkDataSet> data)
   : Data(std::move(data))

@@ -21,7 +21,7 @@ public:
 
   /**
    * Makes the function. Uses the level and side of the options; if the level is 0, those that suit
-   * the values (ImageLevel.h).
+   * the values (ImageShape.cxx).
    */
   std::string Prepare(ShapePreparation& preparation) override;
   std::string DescribeThinParts(const ShapeOptions& options) const override;

@@ -1,6 +1,6 @@
 // Partition of leaves over ranks: each leaf has one owner, and costs are balanced.
 
-#include "Ranks/LeafRanges.h"
+#include "Ranks/Domain.h"
 
 #include <gtest/gtest.h>
 

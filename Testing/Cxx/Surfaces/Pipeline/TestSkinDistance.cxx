@@ -2,7 +2,7 @@
 
 #include "Support/SurfaceMeasures.h"
 
-#include "Pipeline/SkinSamples.h"
+#include "Pipeline/SkinFunction.h"
 #include "Surface/SkinDistance.h"
 
 #include "vtkCellArray.h"

@@ -3,7 +3,7 @@
 #include "Support/AnalyticShapes.h"
 
 #include "NarrowBand.h"
-#include "Simulation/Checkpoints.h"
+#include "Simulation/Trajectory.h"
 
 #include <gtest/gtest.h>
 
