@@ -12,7 +12,8 @@ each with
 - default: the initial value of the member X; null if there is none;
 - least, largest: bounds by vtkSetClampMacro (clamped), else by "Range: A to B" in the comment;
   null: none;
-- range, unit, sentence: from the comment: text after "Range:", in [], and the first sentence.
+- range, unit, sentence: from the comment: text after "Range:" (up to ", automatic:", of values
+  that the filter finds), in [], and the first sentence.
 
 Python's keywords, the options of the program, ParaView's panel and tests follow from it.
 """
@@ -74,7 +75,7 @@ def _read_property(
         "clamped": bool(bounds),
         "least": limits[0],
         "largest": limits[1],
-        "range": stated[1] if stated else "",
+        "range": stated[1].split(", automatic:")[0] if stated else "",
         "unit": unit[1] if unit else "",
         "sentence": (sentence[1] if sentence else text).rstrip(".:"),
         "comment": text,

@@ -15,7 +15,7 @@ DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 FIRST, LAST, R, RATE = 21, 24, 0.05, 25
 USUAL = {"particle_spacing": 2 * R, "voxel_size": 0.6 * R}
 SMOOTH = 150 * R**2  # Attraction * r^2: Attraction is 6 for each frame
-PLAIN = {"automatic_smoothing": False}  # without other smoothing
+PLAIN = {"target_noise": 0}  # without other smoothing
 
 STRIPS = {
     "spacing": [{"particle_spacing": spacing} for spacing in (0.07, 0.1, 0.15)],

@@ -135,9 +135,9 @@ public:
   ///@{
   /**
    * Size of the voxels [length] for a mesh that does not come from a vtkActiveImplicitSurface.
-   * Range: >= 0. Default: 0, the longest side of the mesh's bounds / 64.
+   * Range: > 0, or -1, automatic: the longest side of the mesh's bounds / 64. Default: -1.
    */
-  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
@@ -218,7 +218,7 @@ private:
   vtkTypeBool WriteVelocity = 0;
   vtkTypeBool WritePointArrays = 0;
   int GridClass = UNKNOWN;
-  double VoxelSize = 0.0;
+  double VoxelSize = -1.0;
   vtkTypeBool HalfFloat = 0;
   int Compression = BLOSC;
   vtkSmartPointer<vtkMultiProcessController> Controller;

@@ -113,10 +113,10 @@ public:
   ///@{
   /**
    * Mesh: spacing of the samples [length]. Memory and time of reading grow with its inverse to the
-   * third power, or to the second at a fixed number of voxels in Reach. Range: >= 0. Default: 0,
-   * the longest side of the mesh's bounds / 64.
+   * third power, or to the second at a fixed number of voxels in Reach. Range: > 0, or -1,
+   * automatic: the longest side of the mesh's bounds / 64. Default: -1.
    */
-  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
@@ -124,10 +124,9 @@ public:
   /**
    * Mesh: largest computed distance from it [length]; beyond, F is +-Reach. Memory and time of
    * reading are proportional to it. Values below three voxels are replaced by three voxels. Range:
-   * >= 0.
-   * Default: 0, an eighth of the diagonal of the mesh's bounds.
+   * > 0, or -1, automatic: an eighth of the diagonal of the mesh's bounds. Default: -1.
    */
-  vtkSetClampMacro(Reach, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(Reach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Reach, double);
   ///@}
 
@@ -247,8 +246,8 @@ private:
   std::shared_ptr<const activesurface::GridSamples> MakeSamples();
 
   double IsoValue = 0.0;
-  double VoxelSize = 0.0;
-  double Reach = 0.0;
+  double VoxelSize = -1.0;
+  double Reach = -1.0;
   double MeshThickness = 0.0;
   vtkIdType MaximumNumberOfVoxels = 500000000;
   vtkTypeBool InvertInside = 0;

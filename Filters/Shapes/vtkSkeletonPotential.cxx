@@ -183,7 +183,7 @@ void vtkSkeletonPotential::FitBody()
                                 "SUM, or remove the lines.");
   }
   activesurface::NodeParticleOptions options;
-  options.OwnRadius = 0.5 * this->ParticleSpacing;
+  options.OwnRadius = 0.5 * std::max(this->ParticleSpacing, 0.0);
   options.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
   options.Anisotropy = this->Anisotropy;
   own.Body.Build(own.Skeleton.ListPoints(), options);

@@ -172,9 +172,9 @@ public:
   ///@{
   /**
    * Usual distance of neighbours [length], twice a point's own radius; not used by SUM.
-   * Range: >= 0; 1e-100 to 1e100, or 0 for 1 / 2.25 of a point's Radius. Default: 0.
+   * Range: 1e-100 to 1e100, or -1, automatic: 1 / 2.25 of a point's Radius. Default: -1.
    */
-  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
@@ -257,7 +257,7 @@ private:
   double Threshold = 0.5;
   int Kernel = WYVILL;
   int ParticleModel = SUM;
-  double ParticleSpacing = 0.0;
+  double ParticleSpacing = -1.0;
   double Anisotropy = 4.0;
   std::string RadiusArrayName;
   std::string StrengthArrayName;

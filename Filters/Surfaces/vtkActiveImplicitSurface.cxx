@@ -176,6 +176,16 @@ double vtkActiveImplicitSurface::GetParticleSpacingInUse()
   return this->Requests->GetSimulation().GetValuesInUse().ParticleSpacing;
 }
 
+double vtkActiveImplicitSurface::GetKernelRadiusInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().KernelRadius;
+}
+
+double vtkActiveImplicitSurface::GetTargetReachInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().TargetReach;
+}
+
 double vtkActiveImplicitSurface::GetAttractionInUse()
 {
   return this->Requests->GetSimulation().GetValuesInUse().Attraction;
@@ -184,6 +194,11 @@ double vtkActiveImplicitSurface::GetAttractionInUse()
 double vtkActiveImplicitSurface::GetTensionInUse()
 {
   return this->Requests->GetSimulation().GetValuesInUse().Tension;
+}
+
+double vtkActiveImplicitSurface::GetTargetNoiseInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().TargetNoise;
 }
 
 vtkPolyData* vtkActiveImplicitSurface::GetOutput()

@@ -16,12 +16,13 @@
  * principal curvatures, v the velocity of the target's particles. The last two terms belong to
  * AreaControl and VolumeControl PENALTY.
  *
- * Changing a property restarts the motion, except where its comment says otherwise.
+ * Changing a property restarts the motion, except where its comment says otherwise. -1 is
+ * automatic, where a property has such a value; Get...InUse returns what was found.
  *
  * Input, port 0 (optional): the target; else TargetFunction.
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as points of a
  *   vtkSkeletonPotential. ParticleSpacing is the main property: it sets each particle's own radius
- *   r, half of the spacing, its kernel radius and, where these are 0, VoxelSize (r) and TargetReach
+ *   r, half of the spacing, its kernel radius and, if automatic, VoxelSize (r) and TargetReach
  *   (6 r). SetInputArrayToProcess(0, ...) chooses an array of radii (of balls and tubes), (1, ...)
  *   of ids, (2, ...) of strengths. Without them KernelRadius, the point numbers and 1 are used.
  *   Or a vtkTable with the columns x, y, z (Points:0, Points:1, Points:2; pos_x ...), whose other
@@ -169,9 +170,9 @@ public:
   ///@{
   /** Distance [length] from the target beyond which the attraction is constant: the largest speed
    * is Attraction * TargetReach. Larger values move distant skins faster, for more substeps. Range:
-   * >= 0; 0 is 3 ParticleSpacing over particles (set or estimated), else an eighth of the
-   * bounds' diagonal. Default: 0. */
-  vtkSetClampMacro(TargetReach, double, 0.0, VTK_DOUBLE_MAX);
+   * > 0, or -1, automatic: 3 ParticleSpacing over particles, else an eighth of the bounds'
+   * diagonal. Default: -1. */
+  vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
 
@@ -205,13 +206,13 @@ public:
 
   ///@{
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
-   * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
+   * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its
    * third nearest, with a warning that says the value (or, where KernelRadius or an array of radii
    * is given, the spacing that belongs to it). The estimate is the least of those of the first, the
    * middle and the last time step. Steps with less than a tenth of the largest number of particles
    * are ignored. These steps are read when the skin starts. If the input cannot go back in time,
-   * the estimate is that of the first particles. Default: 0. */
-  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+   * the estimate is that of the first particles. Default: -1. */
+  vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
@@ -220,9 +221,9 @@ public:
    * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
    * (An array of radii has the radii of the balls and tubes that the skin shows for isolated
    * elements. Kernels end at 4.5 times that radius, with SUM where an isolated element gets that
-   * radius.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines) or 2.25 (ANISOTROPIC)
-   * times ParticleSpacing. Default: 0. */
-  vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
+   * radius.) Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM, and lines) or 2.25
+   * (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+  vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
 
@@ -274,10 +275,11 @@ public:
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Half the size needs 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles (also of the
-   * estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
-   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: 0. */
-  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+   * Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over particles (also of
+   * the estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the
+   * bounds' longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default:
+   * -1. */
+  vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
@@ -303,22 +305,13 @@ public:
   // @name Motion
 
   ///@{
-  /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in
-   * a time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Range: >= 0. Default: 1; over a moving input that means more, see
-   * AutomaticAttraction. */
-  vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
+  /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
+   * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
+   * target. Range: >= 0, or -1, automatic: 6 over the time from a step of the input to the
+   * next one, so that 1/400 of a distance is left; 1 if the input does not move, with EQUILIBRIUM
+   * and with PaperScheme. Default: -1. */
+  vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
-  ///@}
-
-  ///@{
-  /** Replaces an Attraction of 1, the default, by a value that follows an input with time steps.
-   * That value is 6 over the time from a step to the next one, so that 1/400 of a distance is left.
-   * Any other Attraction is used unchanged, and so is 1 over other targets and with PaperScheme.
-   * Default: on. */
-  vtkSetMacro(AutomaticAttraction, vtkTypeBool);
-  vtkGetMacro(AutomaticAttraction, vtkTypeBool);
-  vtkBooleanMacro(AutomaticAttraction, vtkTypeBool);
   ///@}
 
   ///@{
@@ -328,20 +321,12 @@ public:
    * of radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension /
    * Attraction). Targets whose F / |grad F| is larger inside hold smaller balls: particles down to
    * about 2.4; a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 * Tension /
-   * Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range: >= 0.
-   * Default: 0, none, or see AutomaticSmoothing. */
-  vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
+   * Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range: >= 0,
+   * or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r; 0 over other targets,
+   * with TensionWeighting off, SUM, PaperScheme, and where particles need explicit substeps (see
+   * TimeIntegration). Default: -1. */
+  vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
-  ///@}
-
-  ///@{
-  /** Replaces a Tension and a TargetNoise of 0, the defaults, by values from the spacing 2 r of
-   * particles: Attraction * r^2 / 2, if TensionWeighting is on, and r / 2. Any other value is used
-   * unchanged. So is 0 over other targets, with ParticleModel SUM, with PaperScheme, and where
-   * other explicit substeps are needed (see TimeIntegration). Default: on. */
-  vtkSetMacro(AutomaticSmoothing, vtkTypeBool);
-  vtkGetMacro(AutomaticSmoothing, vtkTypeBool);
-  vtkBooleanMacro(AutomaticSmoothing, vtkTypeBool);
   ///@}
 
   ///@{
@@ -361,9 +346,10 @@ public:
    * particles from 1.5 times the distance on. Particles move the skin of a body, as by Transport,
    * only if they move together: velocities within the error of their mean are ignored. Drops and
    * threads follow as before. The skin of a fluid in a steady state is therefore smooth and does
-   * not move, and is at most this distance from the target. With NormalizeTarget. Range: >= 0.
-   * Default: 0, none, or see AutomaticSmoothing. */
-  vtkSetClampMacro(TargetNoise, double, 0.0, VTK_DOUBLE_MAX);
+   * not move, and is at most this distance from the target. With NormalizeTarget. Range: 0
+   * or 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r; 0 over other targets,
+   * with SUM, PaperScheme, and where particles need explicit substeps. Default: -1. */
+  vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
 
@@ -438,8 +424,7 @@ public:
    * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
    * TargetIsoValue (with SUM: at least ParticleThreshold), EQUILIBRIUM, CreateParts or
    * NormalizeTarget off, TargetEvaluation and GradientScheme other than by default, PaperScheme.
-   * Explicit substeps ignore Transport, TensionWeighting and AutomaticSmoothing. Default:
-   * AUTOMATIC. */
+   * Explicit substeps ignore Transport and TensionWeighting. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -754,12 +739,15 @@ public:
   ///@}
 
   ///@{
-  /** Actual values where a property leaves the choice to the filter, in the units of the
-   * properties. 0 if there is none, and before the first update has read the inputs. */
+  /** Values in use of the properties that may be -1, automatic: set or found, in their units. 0:
+   * none, and before the first update has read the inputs. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
+  double GetKernelRadiusInUse();
+  double GetTargetReachInUse();
   double GetAttractionInUse();
   double GetTensionInUse();
+  double GetTargetNoiseInUse();
   ///@}
 
   /** The skin. */
@@ -811,24 +799,22 @@ private:
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;
-  double TargetReach = 0.0;
+  double TargetReach = -1.0;
   double MeshThickness = 0.0;
   int ParticleModel = ANISOTROPIC;
-  double ParticleSpacing = 0.0;
-  double KernelRadius = 0.0;
+  double ParticleSpacing = -1.0;
+  double KernelRadius = -1.0;
   double Anisotropy = 4.0;
   int ParticleKernel = WYVILL;
   double ParticleThreshold = 0.5;
   double PeriodicBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  double VoxelSize = 0.0;
+  double VoxelSize = -1.0;
   double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   vtkTypeBool BoundedDomain = 0;
-  double Attraction = 1.0;
-  vtkTypeBool AutomaticAttraction = 1;
-  double Tension = 0.0;
-  vtkTypeBool AutomaticSmoothing = 1;
+  double Attraction = -1.0;
+  double Tension = -1.0;
   vtkTypeBool TensionWeighting = 1;
-  double TargetNoise = 0.0;
+  double TargetNoise = -1.0;
   double Transport = 1.0;
   vtkTypeBool CreateParts = 1;
   int EvolutionMode = TRANSIENT;

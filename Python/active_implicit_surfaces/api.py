@@ -189,6 +189,7 @@ class frames(Skins):
         **options: Any,
     ) -> None:
         is_source = isinstance(particles, TemporalSource)
+        options = properties.given(options)
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
         )
@@ -348,8 +349,9 @@ def _settle_spacing(
 ) -> None:
     """Sets the filter's own estimate if no spacing is given; warns if a given one does not fit."""
     own = series_spacing(frames)
-    warn(*describe_precision(frames[0], surface.GetParticleSpacing() or own))
-    if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
+    spacing = surface.GetParticleSpacing()
+    warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
+    if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
         first = estimate_spacing(frames[0])
         if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):
             surface.SetParticleSpacing(first if own / _SAME <= first <= _SAME * own else own)
@@ -360,12 +362,12 @@ def _settle_spacing(
 def _describe_lengths(surface: Any, own: float) -> list[str]:
     """Returns warnings about a spacing or radius that does not fit the neighbours' distance."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
-    if spacing and not 1 / _FAR <= spacing / own <= _FAR:
+    if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [
             f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: the skin "
             "breaks into drops if the spacing is too small, and is a lump if it is too large."
         ]
-    if radius and not spacing and radius < _LEAST_REACH * own:
+    if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
         return [
             f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so kernels reach "
             f"few of them. If {radius:g} is the particles' own radius or spacing, give "

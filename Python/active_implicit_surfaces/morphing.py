@@ -106,6 +106,7 @@ class morph(Skins):
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
+        options = properties.given(options)
         self._connect(a, b, fit, not {"target_iso_value", "invert_target"} & set(options))
         properties.put(self.surface, options)
         self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0

@@ -58,8 +58,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     if not particles.IsA("vtkPointSet"):
         raise ValueError(f"A preset needs particles as points, not a {particles.GetClassName()}.")
     given = {"particle_spacing": proxy.ParticleSpacing, "time_scale": proxy.TimeScale}
-    if not given["particle_spacing"]:
-        del given["particle_spacing"]
+    given = properties.given(given)
     frames = TemporalSource(lambda step: particles, times)
     chosen = _changes(name, frames, given)
     for other in PRESETS:

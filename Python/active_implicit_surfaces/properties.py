@@ -3,7 +3,7 @@
 >>> from active_implicit_surfaces import properties
 >>> spacing = properties.find("particle_spacing")
 >>> spacing.name, spacing.option, spacing.kind, spacing.default
-('ParticleSpacing', '--particle-spacing', 'number', 0.0)
+('ParticleSpacing', '--particle-spacing', 'number', -1.0)
 >>> properties.find("particle_model").choices
 ('sum', 'anisotropic')
 """
@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+AUTOMATIC = -1.0  # the filter finds the value; only defaults have it
 TABLE = Path(__file__).with_name("properties.json")
 
 
@@ -45,6 +46,11 @@ class Property:
     def option(self) -> str:
         """Returns the name as an option of the command line."""
         return "--" + "-".join(_words(self.name))
+
+    @property
+    def is_automatic(self) -> bool:
+        """Returns True if the filter finds the value by default."""
+        return bool(self.kind == "number" and self.default == AUTOMATIC)
 
     @property
     def summary(self) -> str:
@@ -76,10 +82,19 @@ def find(keyword: str) -> Property:
     return found
 
 
+def given(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the options without those that leave the choice to the filter."""
+    return {
+        keyword: value
+        for keyword, value in options.items()
+        if not (find(keyword).is_automatic and _number_of(value) == AUTOMATIC)
+    }
+
+
 def put(surface: Any, values: Mapping[str, Any]) -> None:
     """Sets properties of a filter by their keywords.
 
-    Choices are words such as ``"anisotropic"``, or numbers.
+    Choices are words such as ``"anisotropic"``, or numbers; ``"automatic"`` is -1.
 
     Raises
     ------
@@ -102,7 +117,7 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
         if kind == "numbers":
             wanted: Any = tuple(float(number) for number in value)
         elif kind == "number":
-            wanted = float(value)
+            wanted = float(_number_of(value) if own.is_automatic else value)
         elif kind in ("integer", "choice", "switch"):
             wanted = int(value)
             if wanted != value:
@@ -119,6 +134,10 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
     if kind != "object" and got != wanted and wanted == wanted:
         limits = f"its range: {own.range}" if own.range else f"its range; it became {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")
+
+
+def _number_of(value: Any) -> Any:
+    return AUTOMATIC if isinstance(value, str) and value == "automatic" else value
 
 
 def _number_of_choice(own: Property, word: str) -> int:
@@ -155,4 +174,6 @@ def _plain(kind: str, value: Any) -> str:
         return str(value).replace("_", "-")
     if kind == "numbers":
         return " ".join(f"{number:g}" for number in value)
-    return f"{value:g}" if kind == "number" else str(value)
+    if kind == "number":
+        return "automatic" if value == AUTOMATIC else f"{value:g}"
+    return str(value)

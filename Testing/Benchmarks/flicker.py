@@ -111,7 +111,7 @@ def skin(places, attraction, tension, cfl):
     surface.SetParticleModelToSum()
     surface.SetTransport(0)
     surface.TensionWeightingOff()
-    surface.AutomaticAttractionOff()
+    surface.SetTargetNoise(0)
     surface.SetKernelRadius(RADIUS)
     surface.SetParticleThreshold(THRESHOLD)
     surface.SetModelBounds(BOUNDS)

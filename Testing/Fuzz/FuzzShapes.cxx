@@ -57,11 +57,11 @@ void SetProperties(FuzzInput& input, SurfaceSettings& settings)
   settings.Inputs.Steps = { 0.0, 1.0 };
   settings.VoxelSize = 0.5;
   settings.Particles.Model = static_cast<ParticleModel>(choices % 3);
-  settings.Particles.Spacing = choices & 4 ? 0.4 : 0.0;
+  settings.Particles.Spacing = choices & 4 ? 0.4 : Automatic;
   settings.MeshThickness = choices & 8 ? 0.5 : 0.0;
-  settings.Law.Attraction = 1.0;
+  settings.Attraction = 1.0;
   settings.Law.Transport = choices & 16 ? 1.0 : 0.0;
-  settings.Law.Tension = choices & 32 ? 0.01 : 0.0;
+  settings.Tension = choices & 32 ? 0.01 : 0.0;
   settings.Law.CreateParts = true;
 }
 

@@ -15,7 +15,12 @@ def splash(**properties):
     return ActiveImplicitSurface(Input=particles, **(COARSE | properties)), particles
 
 
-IN_USE = ("VoxelSizeInUse", "ParticleSpacingInUse", "AttractionInUse", "TensionInUse")
+IN_USE = tuple(
+    name + "InUse"
+    for name in (
+        "VoxelSize ParticleSpacing KernelRadius TargetReach Attraction Tension TargetNoise".split()
+    )
+)
 
 COARSE = {
     "TimeScale": 1 / 25,

@@ -55,7 +55,7 @@ del OTHER_VALUES["ArrivalTime"]
 # Changes are invisible in the second step: other times are published, or the input's times apply.
 WITHOUT_EFFECT = set(
     """
-    AutomaticAttraction BoundedDomain CFL CheckpointInterval CheckpointMemory
+    BoundedDomain CFL CheckpointInterval CheckpointMemory
     MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
     OutputPotential ParticleKernel StartTime TargetReach TimeStepSize
     VelocityArray
@@ -145,8 +145,8 @@ class ChangesInMidAnimation(unittest.TestCase):
             "RestTolerance": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "EvolutionMode": {"MaximumNumberOfSubsteps": 20},
-            "PaperScheme": {"Attraction": 1},
-            "NormalizeTarget": {"Attraction": 1},
+            "PaperScheme": {"Attraction": -1},
+            "NormalizeTarget": {"Attraction": -1},
         }
         return (needed_values(ROWS[name]) if name in ROWS else {}) | more.get(name, {})
 
@@ -181,7 +181,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
     def test_initial_may_come_and_go(self):
         ResetSession()
-        surface, _ = splash(Attraction=1)
+        surface, _ = splash(Attraction=-1)
         without = skin_bytes(surface, 1)
         surface.Initial = Sphere(Radius=0.4, Center=[0.5, 0.5, 0.5])
         self.assertNotEqual(skin_bytes(surface, 1), without)

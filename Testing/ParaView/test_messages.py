@@ -29,7 +29,7 @@ class Messages(unittest.TestCase):
         return text
 
     def test_the_spacing_that_was_estimated_is_no_warning(self):
-        surface, _ = splash(ParticleSpacing=0)
+        surface, _ = splash(ParticleSpacing=-1)
         self.show(surface)
         text = self.said()
         self.assertEqual(text.count("a ParticleSpacing of 0.1"), 1, text)

@@ -39,7 +39,7 @@ class Presets(unittest.TestCase):
     def test_they_are_those_of_the_functions(self):
         for name in PRESETS:
             with self.subTest(name):
-                surface, particles = splash(VoxelSize=0, Attraction=1)
+                surface, particles = splash(VoxelSize=-1, Attraction=-1)
                 cloud = fetch(particles)
                 source = TemporalSource(lambda step, cloud=cloud: cloud, surface.TimestepValues)
                 options = {"particle_spacing": surface.ParticleSpacing, "time_scale": 1 / 25}
@@ -50,9 +50,9 @@ class Presets(unittest.TestCase):
                     self.assertEqual(value, getattr(wanted, "Get" + key)(), key)
 
     def test_the_last_one_holds(self):
-        once, _ = splash(VoxelSize=0.12, Attraction=1)
+        once, _ = splash(VoxelSize=0.12, Attraction=-1)
         paraview_presets.apply("viscous", once)
-        twice, _ = splash(VoxelSize=0.12, Attraction=1)
+        twice, _ = splash(VoxelSize=0.12, Attraction=-1)
         for name in ("viscous", "paper", "viscous"):
             paraview_presets.apply(name, twice)
         self.assertEqual(values_of(twice), values_of(once))
@@ -60,9 +60,9 @@ class Presets(unittest.TestCase):
         self.assertEqual(skin_bytes(twice, 2), skin_bytes(once, 2))
 
     def test_lengths_of_another_preset_go(self):
-        once, _ = splash(VoxelSize=0, Attraction=1)
+        once, _ = splash(VoxelSize=-1, Attraction=-1)
         paraview_presets.apply("viscous", once)
-        twice, _ = splash(VoxelSize=0, Attraction=1)
+        twice, _ = splash(VoxelSize=-1, Attraction=-1)
         paraview_presets.apply("molecule", twice)
         self.assertGreater(twice.VoxelSize, 0)
         paraview_presets.apply("viscous", twice)
@@ -82,7 +82,7 @@ class Presets(unittest.TestCase):
     @staticmethod
     def with_presets(radius, *names):
         """A new surface with these presets, over particles with or without an array of radii."""
-        surface, particles = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
+        surface, particles = splash(VoxelSize=-1, ParticleSpacing=-1, Attraction=-1)
         if radius:
             surface.Input = Calculator(Input=particles, ResultArrayName="radius", Function=radius)
         for name in names:

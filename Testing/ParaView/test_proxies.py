@@ -218,10 +218,13 @@ class Proxies(unittest.TestCase):
 
     def test_the_panel_shows_what_is_in_use(self):
         """The panel reads the values when a change is applied, before the next update."""
-        surface, _ = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
+        surface, _ = splash(VoxelSize=-1, ParticleSpacing=-1, Attraction=-1)
         surface.UpdatePipeline(1)
         surface.UpdatePipelineInformation()
-        voxel, spacing, attraction, tension = (getattr(surface, name) for name in IN_USE)
+        voxel, spacing, attraction, tension = (
+            getattr(surface, name + "InUse")
+            for name in ("VoxelSize", "ParticleSpacing", "Attraction", "Tension")
+        )
         self.assertAlmostEqual(spacing, 0.1, delta=1e-3)
         self.assertEqual(voxel, 0.5 * spacing)
         self.assertEqual(attraction, 6 / surface.TimeScale)
@@ -231,7 +234,8 @@ class Proxies(unittest.TestCase):
         self.assertEqual(surface.TensionInUse, 0.3)
 
     def test_what_is_in_use_is_only_read_and_named_in_tooltips(self):
-        for key, names in ((SURFACE, IN_USE), (FUNCTIONS, set(IN_USE) - {"ParticleSpacingInUse"})):
+        of_particles = {"ParticleSpacingInUse", "KernelRadiusInUse"}
+        for key, names in ((SURFACE, IN_USE), (FUNCTIONS, set(IN_USE) - of_particles)):
             proxy = new_proxy(key)
             for name in names:
                 with self.subTest(f"{key[1]}.{name}"):

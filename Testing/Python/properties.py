@@ -12,6 +12,7 @@ import active_implicit_surfaces
 from active_implicit_surfaces import properties as keywords
 from active_implicit_surfaces.commands import effects
 
+AUTOMATIC = keywords.AUTOMATIC
 TABLE = json.loads(
     Path(active_implicit_surfaces.__file__).with_name("properties.json").read_text(encoding="utf-8")
 )
@@ -45,7 +46,7 @@ def other_values(row):
         return [value for value in range(len(row.choices)) if value != row.default]
     if row.kind not in ("integer", "number"):
         return []
-    if row.default == 0:
+    if row.default in (0, AUTOMATIC):
         return [1 if row.kind == "integer" else 0.05]
     doubled = 2 * row.default
     return [doubled if row.largest is None or doubled <= row.largest else row.default / 2]
@@ -75,6 +76,8 @@ def refused_values(row):
     if row.kind != "number":
         return []
     found = [math.nan] if row.clamped else [math.nan, math.inf, -math.inf]
+    if row.default == AUTOMATIC:
+        found += [AUTOMATIC / 2, *([0.0] if row.range.startswith("1e") else [])]
     if row.range.startswith("> 0"):
         found += [0.0, -0.5]
     elif not row.clamped and row.least is not None:

@@ -246,4 +246,4 @@ def start_on_an_image(contents):
 
 @run("starts")
 def start_in_default_bounds(contents):
-    follow(contents, make(globe(0.6), image(quadric(1, 2, 1, 0.25)), VoxelSize=0), 0.0, 0.1)
+    follow(contents, make(globe(0.6), image(quadric(1, 2, 1, 0.25)), VoxelSize=-1), 0.0, 0.1)

@@ -87,7 +87,6 @@ class Errors(CommandTest):
             (*morph, "--pass-target-arrays"): "on particles",
             (*morph, "--transport", 0.5): "on particles",
             (*morph, "--no-tension-weighting"): "on particles",
-            (*morph, "--no-automatic-smoothing"): "on particles",
             (*skin, "--particle-model", "sum", "--anisotropy", 2): "--particle-model anisotropic",
             (*skin, "--preset", "paper", "--anisotropy", 2): "--particle-model anisotropic",
             (*skin, "--particle-threshold", 0.4): "--particle-model sum",

@@ -110,20 +110,22 @@ class Time(unittest.TestCase):
         self.assertEqual(surface.GetSubsteps(), 0)
 
 
+AUTOMATIC = (
+    "VoxelSize ParticleSpacing KernelRadius TargetReach Attraction Tension TargetNoise".split()
+)
+
+
 class ValuesInUse(unittest.TestCase):
     def values_of(self, surface):
-        return (
-            surface.GetVoxelSizeInUse(),
-            surface.GetParticleSpacingInUse(),
-            surface.GetAttractionInUse(),
-            surface.GetTensionInUse(),
-        )
+        return [getattr(surface, f"Get{name}InUse")() for name in AUTOMATIC]
 
     def test_what_is_set_is_in_use(self):
         surface = make_shrinking_ball()
-        self.assertEqual(self.values_of(surface), (0.0, 0.0, 0.0, 0.0), "before an update")
+        self.assertEqual(self.values_of(surface), [0.0] * len(AUTOMATIC), "before an update")
+        surface.SetTargetReach(0.7)
+        surface.SetTargetNoise(0.01)
         surface.UpdateTimeStep(0.1)
-        set_values = (surface.GetVoxelSize(), 0.0, surface.GetAttraction(), surface.GetTension())
+        set_values = [max(getattr(surface, "Get" + name)(), 0.0) for name in AUTOMATIC]
         self.assertEqual(self.values_of(surface), set_values)
         surface.SetVoxelSize(2.0 * surface.GetVoxelSize())
         self.assertEqual(self.values_of(surface), set_values, "of the skin that is there")
@@ -136,8 +138,9 @@ class ValuesInUse(unittest.TestCase):
         surface.SetParticleSpacing(0.25)
         for time, length in ((0.5, 0.5), (1.0, 2.0), (2.5, 2.0)):
             surface.UpdateTimeStep(time)
-            voxel, spacing, attraction, tension = self.values_of(surface)
-            self.assertEqual((voxel, spacing), (0.125, 0.25), time)
+            voxel, spacing, radius, reach, attraction, tension, noise = self.values_of(surface)
+            self.assertEqual((voxel, spacing, noise), (0.125, 0.25, 0.0625), time)
+            self.assertEqual((radius, reach), (2.25 * 0.25, 0.75), time)
             self.assertAlmostEqual(attraction, 6.0 / length, msg=f"by the step's length, {time}")
             self.assertAlmostEqual(tension, attraction * 0.125**2 / 2.0, msg=f"r^2 / 2, {time}")
 

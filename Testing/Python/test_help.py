@@ -84,10 +84,13 @@ class Comments(Case):
     def test_every_number_has_a_range(self):
         for kind, row in every("number", "integer"):
             with self.about(kind, row):
-                self.assertRegex(row.range, r"^(>=? -?\d|finite|[\d.e+-]+ to [\d.e+-]+)")
+                self.assertRegex(row.range, r"^(>=? -?\d|finite|[\d.e+-]+ (to|or) [\d.e+-]+)")
                 if row.clamped and row.largest is not None:
                     low, high = re.match(r"(\S+) to ([^;]+)", row.range).groups()
                     self.assertEqual((float(low), float(high)), (row.least, row.largest))
+                elif row.default == -1:
+                    self.assertRegex(row.range, r", or -1$")
+                    self.assertRegex(row.comment, r"or -1, automatic: .* Default: -1\.$")
                 elif row.clamped:
                     self.assertRegex(row.range, rf"^>= {row.least:g}")
 

@@ -133,7 +133,7 @@ class Water(unittest.TestCase):
             for time in (0, 1.5, 2):
                 volumes = [volume_of(skin_at(surface, time)) for surface in (one, other)]
                 self.assertAlmostEqual(*volumes, delta=1e-4, msg=properties)
-        surface = surface_over([water(0) + jump], ParticleSpacing=0)
+        surface = surface_over([water(0) + jump], ParticleSpacing=-1)
         heard = Listener(surface)
         skin_at(surface, 0)
         self.assertIn("a ParticleSpacing of 0.100", " ".join(heard.warnings))

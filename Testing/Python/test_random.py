@@ -61,7 +61,7 @@ FOUND = (
         "target": ("table", 548627),
         "initial": ("an_ellipsoid", 407916),
         "properties": {
-            "AutomaticAttraction": 0,
+            "Attraction": 1,
             "PassTargetArrays": 1,
             "ArrivalTime": 0.15,
             "GradientScheme": 1,

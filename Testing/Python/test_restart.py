@@ -93,7 +93,7 @@ def body_of_particles():
 
 
 def followed_particles():
-    return crossing_particles(Attraction=1)
+    return crossing_particles(Attraction=-1)
 
 
 def smoothed_particles():
@@ -149,28 +149,29 @@ def samples():
 ROWS = rows_of(vtkActiveImplicitSurface)
 # Scenes, and values of the properties in these, where the rules below do not know any.
 CASES = {
-    "AutomaticAttraction": [(followed_particles, 0)],
-    "AutomaticSmoothing": [(smoothed_particles, 0)],
     "Anisotropy": [(body_of_particles, 1.0)],
+    "Attraction": [(morph, 2.0), (followed_particles, 1.0)],
     "BoundedDomain": [(walls, 0)],
     "CreateParts": [(appearing_particles, 0)],
     "EvolutionMode": [(morph, 1), (one_step, 1)],
     "InitialFunction": [(morph, ball(0.6)), (morph, None)],
     "InvertTarget": [(samples, 1)],
-    "KernelRadius": [(particles, 0.5), (particles, 0.0)],
+    "KernelRadius": [(particles, 0.5), (particles, -1.0)],
     "NumberOfTimeSteps": [(morph, 3)],
     "MaximumNumberOfSubsteps": [(to_rest, 3)],
     "MeshThickness": [(shell, 0.45)],
     "ModelBounds": [(walls, half_box(0.65))],
     "ObstacleFunction": [(morph, ball(0.3, (0, 0.3, 0))), (round_obstacle, None)],
     "ParticleModel": [(particles, 1), (body_of_particles, 0)],
-    "ParticleSpacing": [(body_of_particles, 0.2), (body_of_particles, 0.0)],
+    "ParticleSpacing": [(body_of_particles, 0.2), (body_of_particles, -1.0)],
     "ParticleThreshold": [(particles, 0.4)],
     "PeriodicBounds": [(body_of_particles, (-1.0, 1.0, -1.0, 1.0, 1.0, -1.0))],
     "RestTolerance": [(to_rest, 0.5)],
     "TargetFunction": [(morph, block(-0.5, 0.5, -0.4, 0.4, -0.3, 0.3))],
     "TargetIsoValue": [(morph, -0.03), (samples, 0.1)],
+    "TargetNoise": [(morph, 0.05), (smoothed_particles, 0.0)],
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
+    "Tension": [(morph, 0.05), (smoothed_particles, 0.0)],
     "TensionWeighting": [(tense_particles, 0)],
     "TimeIntegration": [(smoothed_particles, 0)],
     "Transport": [(crossing_particles, 0.5)],

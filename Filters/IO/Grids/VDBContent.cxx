@@ -53,14 +53,18 @@ double FindLongestSide(const MeshTriangles& mesh)
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-// Returns the triangles of ReadTriangles on a lattice; points keep their indices. A voxelSize of 0
-// becomes a 64th of the longest side of the mesh's bounds. origin: becomes the world position of
-// the lattice's node (0, 0, 0).
+// Returns the triangles of ReadTriangles on a lattice; points keep their indices. An automatic
+// voxelSize becomes a 64th of the longest side of the mesh's bounds. origin: becomes the world
+// position of the lattice's node (0, 0, 0).
 LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<double, 3>& origin)
 {
   const MeshTriangles read = ReadTriangles(data);
   CheckIsClosed(read);
   const double side = FindLongestSide(read);
+  if (!(voxelSize > 0.0) && voxelSize != Automatic)
+  {
+    throw std::invalid_argument("VoxelSize has to be > 0, or -1, automatic.");
+  }
   voxelSize = voxelSize > 0.0 ? voxelSize : side / VoxelsAcross;
   constexpr double mostVoxels = 1 << 20;
   if (!(side / voxelSize <= mostVoxels))

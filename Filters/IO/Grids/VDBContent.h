@@ -3,6 +3,7 @@
 #ifndef VDBContent_h
 #define VDBContent_h
 
+#include "Base/Automatic.h"
 #include "Base/OpenVDB.h"
 #include "Input/AttachedData.h"
 
@@ -21,7 +22,7 @@ struct VDBChoice
   bool PointArrays = false;
   bool HalfFloat = false;
   openvdb::GridClass Kind = openvdb::GRID_UNKNOWN; // of an image's scalars
-  double VoxelSize = 0.0;                          // of a mesh; 0: a 64th of its size
+  double VoxelSize = Automatic;                    // of a mesh: a 64th of its size
 };
 
 // Throws std::invalid_argument, with a sentence, for data that cannot become the chosen grids.

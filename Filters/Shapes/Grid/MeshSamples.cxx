@@ -42,6 +42,16 @@ void CheckNumber(double number, const char* name)
   }
 }
 
+void CheckLength(double length, const char* name)
+{
+  if (!(std::isfinite(length) && length > 0.0) && length != Automatic)
+  {
+    std::ostringstream text;
+    text << name << " must be a finite number > 0, or -1, automatic, not " << length << ".";
+    throw std::invalid_argument(text.str());
+  }
+}
+
 void CheckMesh(const MeshTriangles& mesh)
 {
   if (mesh.Triangles.empty())
@@ -90,8 +100,8 @@ void CheckSize(const MeshTriangles& mesh, double voxelSize, double band, double 
 MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
   : Bounds(mesh.GetBounds())
 {
-  CheckNumber(measure.VoxelSize, "VoxelSize");
-  CheckNumber(measure.Reach, "Reach");
+  CheckLength(measure.VoxelSize, "VoxelSize");
+  CheckLength(measure.Reach, "Reach");
   CheckNumber(measure.Thickness, "MeshThickness");
   CheckMesh(mesh);
   this->Measure(measure);

@@ -3,6 +3,7 @@
 #ifndef MeshSamples_h
 #define MeshSamples_h
 
+#include "Base/Automatic.h"
 #include "Base/OpenVDB.h"
 #include "Grid/GridSamples.h"
 #include "Input/MeshTriangles.h"
@@ -12,9 +13,9 @@ namespace activesurface
 
 struct MeshMeasure
 {
-  double VoxelSize = 0.0; // 0: longest side of the mesh / 64
-  double Reach = 0.0;     // 0: diagonal of the mesh / 8
-  double Thickness = 0.0; // of the shell made of a mesh that is not closed; 0: no shell
+  double VoxelSize = Automatic; // longest side of the mesh / 64
+  double Reach = Automatic;     // diagonal of the mesh / 8
+  double Thickness = 0.0;       // of the shell made of a mesh that is not closed; 0: no shell
   double MaximumNumberOfVoxels = 0.0;
 };
 

@@ -178,7 +178,7 @@ Walls MotionDriver::MakeWalls(double beyond) const
 
 Motion MotionDriver::GetMotion(int step, bool hasParticles) const
 {
-  Motion motion = this->Settings.Law;
+  Motion motion = this->Settings.GetLaw();
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // needs the voxel size
   motion.WeightedTension = false;

@@ -187,13 +187,21 @@ bool SurfaceSettings::CanShareSpace() const
   const std::vector<double>& steps = this->Inputs.Steps;
   for (std::size_t i = 1; i < steps.size() && !this->HasAutomaticAttraction(); ++i)
   {
-    const double factors = this->Law.Attraction * this->TimeScale * (steps[i] - steps[i - 1]);
+    const double factors = this->Attraction * this->TimeScale * (steps[i] - steps[i - 1]);
     if (!(factors >= FewestFactorsOfNodes))
     {
       return false;
     }
   }
   return true;
+}
+
+Motion SurfaceSettings::GetLaw() const
+{
+  Motion law = this->Law;
+  law.Attraction = this->Attraction == Automatic ? Motion().Attraction : this->Attraction;
+  law.Tension = this->Tension == Automatic ? 0.0 : this->Tension;
+  return law;
 }
 
 const char* SurfaceSettings::FindWhatNeedsSubsteps() const

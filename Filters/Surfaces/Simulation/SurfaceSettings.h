@@ -4,6 +4,7 @@
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h
 
+#include "Base/Automatic.h"
 #include "Base/Motion.h"
 #include "Base/TimeSteps.h"
 #include "Index/SkeletonKernel.h"
@@ -39,8 +40,8 @@ enum class IntegrationChoice
 struct ParticleSettings
 {
   ParticleModel Model = ParticleModel::Anisotropic;
-  double Spacing = 0.0; // 0: estimated
-  double Radius = 0.0;  // 0: from the spacing
+  double Spacing = Automatic; // estimated
+  double Radius = Automatic;  // from the spacing
   double Anisotropy = 4.0;
   double Threshold = 0.5;
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
@@ -94,24 +95,24 @@ struct SurfaceInputs
 // Each property is a field here or in Motion, and a line of ForEachProperty below.
 struct SurfaceSettings
 {
-  Motion Law;
+  Motion Law;                    // without the next two
+  double Attraction = Automatic; // see GetLaw
+  double Tension = Automatic;    // see GetLaw
   EvolutionMode Evolution = EvolutionMode::Transient;
   SteadyStateCriterion SteadyState;
-  double TimeScale = 1.0; // motion time per pipeline time
-  bool AutomaticAttraction = true;
-  bool AutomaticSmoothing = true;
-  double Noise = 0.0; // of the target [length]; 0: none, or automatic if SmoothsParticles
+  double TimeScale = 1.0;   // motion time per pipeline time
+  double Noise = Automatic; // of the target [length]
   IntegrationChoice Integration = IntegrationChoice::Automatic;
   double ArrivalTime = 0.0; // pipeline time after the first step; 0: no arrival
 
   double IsoValue = 0.0;
   bool Invert = false;
   bool Normalize = true;
-  double Reach = 0.0; // 0: see SurfaceDomain
+  double Reach = Automatic; // see SurfaceDomain
   ParticleSettings Particles;
   double MeshThickness = 0.0; // 0: no shell
 
-  double VoxelSize = 0.0; // 0: see SurfaceDomain
+  double VoxelSize = Automatic; // see SurfaceDomain
   std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   bool Bounded = false; // by walls at the bounds
 
@@ -131,9 +132,10 @@ struct SurfaceSettings
   bool IsEquilibrium() const { return this->Evolution == EvolutionMode::Equilibrium; }
   bool HasAutomaticAttraction() const
   {
-    return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
-      !this->Law.Paper && !this->IsEquilibrium();
+    return this->Attraction == Automatic && !this->Law.Paper && !this->IsEquilibrium();
   }
+  // Law with Attraction and Tension: set, or as for a target that does not move.
+  Motion GetLaw() const;
   // Name of the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
@@ -145,16 +147,14 @@ struct SurfaceSettings
   // input of anisotropic particles of one radius. Requires that there is no VolumeControl, no
   // AreaControl, no periodic box and no initial shape.
   bool CanShareSpace() const;
-  // Returns true if a TargetNoise of 0 is replaced by a value from the particle spacing; for a
-  // Tension of 0 see HasAutomaticTension.
+  // Returns true if automatic noise and tension are not 0 over particles.
   bool SmoothsParticles() const
   {
-    return this->AutomaticSmoothing && this->Particles.Model != ParticleModel::Sum &&
-      this->UsesNodes();
+    return this->Particles.Model != ParticleModel::Sum && this->UsesNodes();
   }
   bool HasAutomaticTension() const
   {
-    return this->SmoothsParticles() && this->Law.WeightedTension && this->Law.Tension == 0.0;
+    return this->SmoothsParticles() && this->Law.WeightedTension && this->Tension == Automatic;
   }
   // Time at which the surface reaches its target; 0: no arrival.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
@@ -200,11 +200,13 @@ struct PropertyRange
   double High;
   bool ZeroToo;
   const char* Words;
+  bool AutomaticToo = false;
 
   bool Includes(double value) const
   {
     return std::isfinite(value) &&
-      ((value >= this->Low && value <= this->High) || (this->ZeroToo && value == 0.0));
+      ((value >= this->Low && value <= this->High) || (this->ZeroToo && value == 0.0) ||
+        (this->AutomaticToo && value == Automatic));
   }
 };
 
@@ -235,9 +237,14 @@ constexpr PropertyRange OrZero(const char* words)
   return { Smallest, Largest, true, words };
 }
 
-constexpr PropertyRange Length(const char* words)
+constexpr PropertyRange Length(const char* words, bool zeroToo = false)
 {
-  return { ShortestLength, LongestLength, true, words };
+  return { ShortestLength, LongestLength, zeroToo, words, true };
+}
+
+constexpr PropertyRange OrAutomatic(double low, bool zeroToo, const char* words)
+{
+  return { low, Largest, zeroToo, words, true };
 }
 
 constexpr PropertyRange Between(double low, double high, const char* words)
@@ -264,33 +271,34 @@ void ForEachProperty(Settings& settings, Visitor&& visit)
   ACTIVE_PROPERTY(InvertTarget, settings.Invert, Any);
   ACTIVE_PROPERTY(NormalizeTarget, settings.Normalize, Any);
   ACTIVE_PROPERTY(TargetReach, settings.Reach,
-    OrZero("a finite number > 0, or 0 for one by the particles or the bounds"));
+    OrAutomatic(Smallest, false, "a finite number > 0, or -1, automatic"));
   ACTIVE_PROPERTY(
     MeshThickness, settings.MeshThickness, Between(0.0, LongestLength, "between 0 and 1e30"));
 
   ACTIVE_PROPERTY(ParticleModel, particles.Model, Any);
-  ACTIVE_PROPERTY(ParticleSpacing, particles.Spacing,
-    Length("between 1e-30 and 1e30, or 0 for one that is estimated"));
-  ACTIVE_PROPERTY(KernelRadius, particles.Radius,
-    Length("between 1e-30 and 1e30, or 0 for the one that belongs to ParticleSpacing"));
+  ACTIVE_PROPERTY(
+    ParticleSpacing, particles.Spacing, Length("between 1e-30 and 1e30, or -1, automatic"));
+  ACTIVE_PROPERTY(
+    KernelRadius, particles.Radius, Length("between 1e-30 and 1e30, or -1, automatic"));
   ACTIVE_PROPERTY(Anisotropy, particles.Anisotropy, Between(1.0, 100.0, "between 1 and 100"));
   ACTIVE_PROPERTY(ParticleKernel, particles.Kernel, Any);
   ACTIVE_PROPERTY(ParticleThreshold, particles.Threshold,
     Between(Smallest, Largest, "a finite number > 0: at 0 or below, all space is inside"));
   ACTIVE_PROPERTY(PeriodicBounds, particles.Periodic, Any);
 
-  ACTIVE_PROPERTY(VoxelSize, settings.VoxelSize,
-    Length("between 1e-30 and 1e30, or 0 for one by the particles or the bounds"));
+  ACTIVE_PROPERTY(
+    VoxelSize, settings.VoxelSize, Length("between 1e-30 and 1e30, or -1, automatic"));
   ACTIVE_PROPERTY(ModelBounds, settings.Bounds, Any);
   ACTIVE_PROPERTY(BoundedDomain, settings.Bounded, Any);
 
-  ACTIVE_PROPERTY(Attraction, motion.Attraction, AtLeastZero);
-  ACTIVE_PROPERTY(AutomaticAttraction, settings.AutomaticAttraction, Any);
-  ACTIVE_PROPERTY(Tension, motion.Tension,
-    Between(0.0, Largest, "a finite number >= 0: a negative one would be unstable"));
-  ACTIVE_PROPERTY(AutomaticSmoothing, settings.AutomaticSmoothing, Any);
+  ACTIVE_PROPERTY(Attraction, settings.Attraction,
+    OrAutomatic(0.0, true, "a finite number >= 0, or -1, automatic"));
+  ACTIVE_PROPERTY(Tension, settings.Tension,
+    OrAutomatic(
+      0.0, true, "a finite number >= 0, as a negative one would be unstable, or -1, automatic"));
   ACTIVE_PROPERTY(TensionWeighting, motion.WeightedTension, Any);
-  ACTIVE_PROPERTY(TargetNoise, settings.Noise, Length("between 1e-30 and 1e30, or 0 for none"));
+  ACTIVE_PROPERTY(
+    TargetNoise, settings.Noise, Length("0, between 1e-30 and 1e30, or -1, automatic", true));
   ACTIVE_PROPERTY(Transport, motion.Transport, Between(0.0, 1.0, "between 0 and 1"));
   ACTIVE_PROPERTY(CreateParts, motion.CreateParts, Any);
   ACTIVE_PROPERTY(EvolutionMode, settings.Evolution, Any);

@@ -26,7 +26,6 @@
 #include "Simulation/TargetBuilder.h"
 #include "Simulation/TargetCoverage.h"
 #include "Simulation/Trajectory.h"
-#include "Simulation/ValuesInUse.h"
 #include "Simulation/Warnings.h"
 
 #include <algorithm>
@@ -213,7 +212,7 @@ public:
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
     return this->FindSkin() || this->Shapes.GetDomain()
-      ? FindValuesInUse(this->Driver.GetMotion(std::max(from, 0)), this->Shapes)
+      ? this->Shapes.FindValuesInUse(this->Driver.GetMotion(std::max(from, 0)))
       : ValuesInUse();
   }
 

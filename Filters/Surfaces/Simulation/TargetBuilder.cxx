@@ -131,14 +131,14 @@ ShapeOptions TargetBuilder::GetOptions() const
   const SurfaceSettings& settings = this->Settings;
   ShapeOptions options;
   options.Model = settings.Particles.Model;
-  options.ParticleSpacing = settings.Particles.Spacing;
+  options.ParticleSpacing = std::max(settings.Particles.Spacing, 0.0);
   options.SpacingInUse = this->FindSpacing();
-  options.KernelRadius = settings.Particles.Radius;
+  options.KernelRadius = std::max(settings.Particles.Radius, 0.0);
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
   options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
-    (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
+    (settings.Tension > 0.0 || settings.HasAutomaticTension());
   options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
   options.Kernel = settings.Particles.Kernel;
   options.Box = this->GetBox();
@@ -146,7 +146,7 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Level.IsoValue = settings.IsoValue;
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
-  options.Level.Noise = settings.Noise;
+  options.Level.Noise = std::max(settings.Noise, 0.0);
   options.IsOnNodes = settings.UsesNodes();
   options.NoiseAtNodes = this->GetNoiseAtNodes();
   if (this->DomainKnown)
@@ -226,22 +226,42 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
   this->Initial = std::move(shape);
 }
 
-// Returns the distance by which the surface of a body of particles flickers: TargetNoise or, with
-// SmoothsParticles, a fraction of the spacing.
+// Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if it
+// is automatic, a fraction of the spacing.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())
   {
     return 0.0;
   }
-  const bool isGiven = this->Settings.Noise > 0.0 || !this->Settings.SmoothsParticles();
-  return isGiven ? this->Settings.Noise : NoiseOfSpacing * this->FindSpacing();
+  if (this->Settings.Noise != Automatic)
+  {
+    return this->Settings.Noise;
+  }
+  return this->Settings.SmoothsParticles() ? NoiseOfSpacing * this->FindSpacing() : 0.0;
 }
 
 double TargetBuilder::FindSpacing() const
 {
   const double known = this->Settings.Particles.Spacing;
   return known > 0.0 ? known : this->EstimatedSpacing;
+}
+
+ValuesInUse TargetBuilder::FindValuesInUse(const Motion& motion) const
+{
+  const ParticleSettings& particles = this->Settings.Particles;
+  const ParticleModel model = this->MayHaveParticles() ? particles.Model : ParticleModel::Sum;
+  ValuesInUse values;
+  values.VoxelSize = this->DomainKnown ? this->Domain.VoxelSize : 0.0;
+  values.TargetReach = this->DomainKnown ? this->Domain.Reach : 0.0;
+  values.ParticleSpacing = this->FindSpacing();
+  values.KernelRadius =
+    particles.Radius > 0.0 ? particles.Radius : GetReachPerSpacing(model) * values.ParticleSpacing;
+  values.Attraction = motion.Attraction;
+  values.Tension = motion.Tension;
+  const bool isOnNodes = this->Settings.UsesNodes() && this->MayHaveParticles();
+  values.TargetNoise = isOnNodes ? this->GetNoiseAtNodes() : std::max(this->Settings.Noise, 0.0);
+  return values;
 }
 
 PeriodicBox TargetBuilder::GetBox() const

@@ -20,6 +20,19 @@
 namespace activesurface
 {
 
+// Values of the properties that may be automatic, in world units and motion time; 0: none, or
+// unknown.
+struct ValuesInUse
+{
+  double VoxelSize = 0.0;
+  double ParticleSpacing = 0.0;
+  double KernelRadius = 0.0; // of elements without a radius of their own
+  double TargetReach = 0.0;
+  double Attraction = 0.0;
+  double Tension = 0.0;
+  double TargetNoise = 0.0;
+};
+
 class TargetBuilder
 {
 public:
@@ -70,6 +83,8 @@ public:
 
   // Returns the spacing of the particles, given or estimated; 0: unknown.
   double FindSpacing() const;
+  // motion: parameters by which the skin moved.
+  ValuesInUse FindValuesInUse(const Motion& motion) const;
 
   // Returns the periodic box of particles, relative to the origin of the shapes.
   PeriodicBox GetBox() const;

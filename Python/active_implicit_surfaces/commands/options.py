@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from .. import properties, vtkActiveImplicitSurface
@@ -82,8 +82,16 @@ def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
         elif own.kind == "numbers":
             settings |= {"type": float, "nargs": len(own.default)}
         else:
-            settings["type"] = int if own.kind == "integer" else float
+            settings["type"] = int if own.kind == "integer" else _number(own)
         parser.add_argument(own.option, default=None, **settings)
+
+
+def _number(own: properties.Property) -> Callable[[str], float]:
+    def parse(text: str) -> float:
+        return properties.AUTOMATIC if own.is_automatic and text == "automatic" else float(text)
+
+    parse.__name__ = "number"  # in argparse's messages
+    return parse
 
 
 def add_help(group: Any, properties: bool = False) -> None:

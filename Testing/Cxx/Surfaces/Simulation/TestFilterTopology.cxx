@@ -118,7 +118,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeFineSkin(
   filter->SetAttraction(50.0);
   filter->SetVoxelSize(resolution.VoxelSize);
   filter->SetTension(resolution.Tension);
-  filter->AutomaticSmoothingOff();
+  filter->SetTargetNoise(0.0);
   return filter;
 }
 

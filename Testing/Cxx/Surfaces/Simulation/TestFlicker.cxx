@@ -147,7 +147,6 @@ double GetFlickerOfSkin(double rate)
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->AutomaticAttractionOff();
   filter->SetKernelRadius(Radius);
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);

@@ -190,7 +190,7 @@ TEST(TestInitial, OneSourceMayBeBoth)
   auto source = MakeSource([](double t) { return MakeBallMesh(0.5, 0.1 * t); }, { 0, 1, 2 });
   auto both = MakeShrinking(source);
   both->SetTargetFunction(nullptr);
-  both->AutomaticAttractionOff();
+  both->SetAttraction(1.0);
   both->SetInputConnection(0, source->GetOutputPort());
   both->UpdateTimeStep(1.0);
   both->UpdateTimeStep(2.0);
@@ -206,7 +206,7 @@ TEST(TestInitial, BoundsComeFromTheInput)
 {
   auto filter = MakeShrinking(MakeMeshSource(0.6));
   filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
-  filter->SetVoxelSize(0.0);
+  filter->SetVoxelSize(-1.0);
   filter->OutputPotentialOn();
   filter->Update();
   EXPECT_NEAR(filter->GetPotential()->GetSpacing()[0], 1.5 / 64.0, 1e-9) << "voxel size";

@@ -174,7 +174,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin(const std::vector<double>& st
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->AutomaticAttractionOff();
+  filter->SetAttraction(1.0);
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);
   filter->SetCFL(CFL);

@@ -105,11 +105,10 @@ TEST(TestLivingParticles, AutomaticAttractionIsSixFromStepToStep)
 {
   auto plain = MakePlainSkin(MakeMovingBlock);
   auto set = MakePlainSkin(MakeMovingBlock);
-  set->AutomaticAttractionOff();
   set->SetAttraction(6.0); // for steps that are 1 apart
   EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0)));
   set->SetAttraction(1.0);
-  EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0))) << "1 is 1 without it";
+  EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0))) << "1 is 1";
 }
 
 // Without Transport the target has moved three voxels, where u is 3. After the step the potential
@@ -118,7 +117,8 @@ TEST(TestLivingParticles, TransportTakesTheLagAway)
 {
   auto filter = MakePlainSkin(MakeMovingBlock);
   filter->SetAttraction(3.0);
-  filter->AutomaticSmoothingOff(); // within the noise the skin follows slowly
+  filter->SetTension(0.0);
+  filter->SetTargetNoise(0.0); // within it the skin follows slowly
   const auto lagAt = [&](double time)
   {
     filter->UpdateTimeStep(time);
@@ -200,7 +200,7 @@ TEST(TestLivingParticles, StepsWithParticlesTellTheSizeOfAnEmptyFirstOne)
   const auto coming = [](double time)
   { return time > 0.5 ? MakeBlock(0.0) : std::vector<Particle>(); };
   auto filter = MakePlainSkin(coming);
-  filter->SetParticleSpacing(0.0);
+  filter->SetParticleSpacing(-1.0);
   EXPECT_EQ(CountParts(filter, 0.0), 0);
   EXPECT_EQ(CountParts(filter, 1.0), 1);
 }
@@ -208,7 +208,7 @@ TEST(TestLivingParticles, StepsWithParticlesTellTheSizeOfAnEmptyFirstOne)
 TEST(TestLivingParticles, NothingAtAnyStepIsTold)
 {
   auto filter = MakePlainSkin([](double) { return std::vector<Particle>(); });
-  filter->SetParticleSpacing(0.0);
+  filter->SetParticleSpacing(-1.0);
   MessageCapture messages(filter);
   EXPECT_EQ(CountParts(filter, 0.0), 0);
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "set ModelBounds or ParticleSpacing"), 1);

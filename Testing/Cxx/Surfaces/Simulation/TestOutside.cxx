@@ -170,7 +170,7 @@ TEST(TestOutside, AKernelTellsTheRadiusToo)
   auto filter = MakeStandingBall(0.05);
   filter->SetInputData(points);
   filter->SetParticleModelToSum();
-  filter->SetParticleSpacing(0.0);
+  filter->SetParticleSpacing(-1.0);
   filter->SetKernelRadius(2.0 * Spacing);
   EXPECT_EQ(GetOutsideAt(filter, 0.1), 1.0 / 3.0);
 

@@ -120,7 +120,6 @@ TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
     [](double time) {
       return std::vector<Grain>{ { 0.2 * time - 0.4, 0.0, 0.0, 1, 0.0 } };
     });
-  filter->AutomaticAttractionOff();
   filter->SetAttraction(1.0);
   filter->SetTimeIntegrationToAutomatic();
   for (const double time : { 2.5, 3.0 })

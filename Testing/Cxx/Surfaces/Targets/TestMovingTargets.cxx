@@ -129,7 +129,6 @@ TEST(TestMovingTargets, EmptyStepIsNoTarget)
   auto filter = MakeSkinOver(MakeSource(leaving, steps));
   filter->SetTargetReach(0.2);
   filter->SetAttraction(1.0);
-  filter->AutomaticAttractionOff();
   filter->SetCFL(0.1);
   MessageCapture messages(filter);
   filter->UpdateTimeStep(1.0);
@@ -154,7 +153,6 @@ TEST(TestMovingTargets, EmptyStepIsNoTarget)
   auto other = MakeSkinOver(MakeSource(losing, steps));
   other->SetTargetReach(0.2);
   other->SetAttraction(1.0);
-  other->AutomaticAttractionOff();
   other->SetCFL(0.1);
   EXPECT_TRUE(AreSameSkins(GetBytesAt(other, 2.0), gone)) << "a mesh without polygons is none";
 }

@@ -315,7 +315,7 @@ TEST(TestParticles, SpacingIsEstimated)
   lattice.push_back(lattice.front()); // a duplicate is no neighbour
   lattice.push_back({ 50.0, 0.0, 0.0 });
   auto estimated = MakeSkinOverData(MakePoints(lattice));
-  estimated->SetKernelRadius(0.0);
+  estimated->SetKernelRadius(-1.0);
   MessageCapture messages(estimated);
   const std::string bytes = GetBytesAt(estimated, 0.1);
   estimated->UpdateTimeStep(0.2);
@@ -348,7 +348,7 @@ TEST(TestParticles, BoundsComeFromTheParticles)
 {
   auto filter = MakeSkinOverData(MakePoints({ { 100.0, 0.0, 0.0 }, { 100.2, 0.0, 0.0 } }));
   filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
-  filter->SetVoxelSize(0.0);
+  filter->SetVoxelSize(-1.0);
   filter->OutputPotentialOn();
   filter->Update();
   // The supports' box is 0.8 long, and 1 with a margin of a quarter.

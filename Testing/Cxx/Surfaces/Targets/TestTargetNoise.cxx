@@ -1,4 +1,4 @@
-// TargetNoise: the skin follows slowly within this distance of the target. AutomaticSmoothing sets
+// TargetNoise: the skin follows slowly within this distance of the target. Automatic it is
 // the distance over moving particles.
 
 #include "Support/PipelineTools.h"
@@ -175,13 +175,11 @@ TEST(TestTargetNoise, FarFromTheTargetItMakesNoDifference)
   EXPECT_GT(left, 0.25 * noise);
 }
 
-TEST(TestTargetNoise, AutomaticSmoothingIsOfTheSpacing)
+TEST(TestTargetNoise, AutomaticNoiseAndTensionAreOfTheSpacing)
 {
   auto plain = MakeSkinOfPool();
   auto set = MakeSkinOfPool();
-  set->AutomaticSmoothingOff();
   set->SetTargetNoise(0.5 * R);
-  set->AutomaticAttractionOff();
   set->SetAttraction(6.0); // from step to step
   set->SetTension(6.0 / 2.0 * R * R);
   EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 3.0), GetBytesAt(set, 3.0)));
@@ -194,7 +192,8 @@ TEST(TestTargetNoise, TheSkinOfAPoolStandsStillAndIsFlat)
 {
   auto smooth = MakeSkinOfPool();
   auto rough = MakeSkinOfPool();
-  rough->AutomaticSmoothingOff();
+  rough->SetTension(0.0);
+  rough->SetTargetNoise(0.0);
   const Unrest with = Measure(smooth), without = Measure(rough);
   EXPECT_GT(without.InTime, 0.02 * R) << "the particles' own surface trembles";
   EXPECT_LT(with.InTime, without.InTime / 3.0);

@@ -87,7 +87,7 @@ TEST(TestTargets, LinesActLikeASkeletonPotential)
   function->SetTargetFunction(potential);
   for (vtkActiveImplicitSurface* filter : { input.Get(), function.Get() })
   {
-    filter->SetVoxelSize(0.0);
+    filter->SetVoxelSize(-1.0);
     UnsetBounds(filter);
   }
   EXPECT_TRUE(AreSameSkins(GetBytesAt(input, 0.0), GetBytesAt(function, 0.0)))
@@ -256,7 +256,7 @@ TEST(TestTargets, BoundsComeFromTheTarget)
   {
     auto filter = MakeSkinOver(data);
     UnsetBounds(filter);
-    filter->SetVoxelSize(0.0);
+    filter->SetVoxelSize(-1.0);
     filter->OutputPotentialOn();
     filter->Update();
     return filter->GetPotential()->GetSpacing()[0];
