@@ -221,7 +221,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   const auto size = sizes.find(this->Source.ReadText());
   if (size == sizes.end())
   {
-    return; // a perspective map
+    return; // a perspective map is not linear
   }
   this->Source.Skip(size->second);
   const std::uint64_t end = this->Source.GetPosition();

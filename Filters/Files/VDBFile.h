@@ -3,8 +3,8 @@
  *
  * OpenVDB's reader trusts the file: a flipped bit may make it allocate any amount of memory, loop
  * for hours or read beyond its arrays. Validation checks every size field first, down to the last
- * leaf. It builds no tree: it reads all masks and skips the values. A valid file is read without
- * fault, whatever its values. Memory then stays within a few hundred times the file size.
+ * leaf. It builds no tree: it reads all masks and skips the values. A valid file is then read
+ * without fault for any values, and memory stays within a few hundred times the file size.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -26,7 +26,7 @@ struct ACTIVEFILES_EXPORT VDBGrid
   std::string UniqueName; //< in OpenVDB's form
   std::string Type;       //< of the tree
   bool IsHalf = false;
-  std::string Parent; //< unique name of the grid whose tree this one shares; else empty
+  std::string Parent; //< unique name of the grid whose tree this one shares; otherwise empty
   openvdb::MetaMap::Ptr Metadata;
   openvdb::math::Transform::Ptr Transform; //< null if it is not linear
   bool IsKnown = false;                    //< true if the grid can be read
@@ -39,7 +39,7 @@ struct ACTIVEFILES_EXPORT VDBGrid
   openvdb::CoordBBox ActiveBox;
   ///@}
 
-  /** The value's type: float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points. */
+  /** Value type: float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points. */
   const char* GetValueType() const;
 };
 
@@ -51,9 +51,8 @@ struct VDBFile
 
 /**
  * Validates a file and lists its grids. Without trees only the first bytes are read, if OpenVDB's
- * io::File has written the file. Throws std::runtime_error, with a sentence that names the file,
- * for a missing or damaged file. The same holds for a file older than OpenVDB 2 (version 222 of the
- * format).
+ * io::File has written the file. Throws std::runtime_error for a file that is missing, damaged, or
+ * older than OpenVDB 2 (version 222 of the format). The message names the file.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 

@@ -24,10 +24,6 @@ namespace activesurface
 namespace
 {
 
-/**
- * The part of a potential within walls, closed at them.
- */
-
 using openvdb::Coord;
 using openvdb::CoordBBox;
 

@@ -30,7 +30,7 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
   const std::shared_ptr<const BandPart> partBefore = this->Part;
   try
   {
-    this->HasGhosts = IsControlled(motion); // an exact control moves the surface with ghosts
+    this->HasGhosts = IsControlled(motion); // an exact control moves the surface and needs ghosts
     this->Leaves = LeafTable();             // all leaves are new
     this->SetPart(nullptr);
     this->Leaves.SetDomain(this->Space.get());

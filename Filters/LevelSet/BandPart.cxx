@@ -25,7 +25,7 @@ struct RankCounts
   std::int64_t Counted = 0; //< vertices of the leaves that the rank counts
 };
 
-/** A leaf with its number of vertices, which Count replaces by the number of vertices before. */
+/** A leaf with its number of vertices, which Count replaces by the number of vertices before it. */
 struct CountedLeaf
 {
   NodeIndex Origin;
@@ -48,11 +48,11 @@ bool HasVertices(const LeafTable& table, std::size_t i)
 }
 
 /** Numbers the vertices of all ranks in the order of the tree. Each rank counts the vertices of a
- * range of leaves, whichever ranks own them. */
+ * range of leaves, which any rank may own. */
 class VertexCount
 {
 public:
-  /** Collective, as is Answer. */
+  /** Collective, like Answer. */
   VertexCount(const LeafTable& table, const Domain& space)
     : Space(space)
     , Asked(static_cast<std::size_t>(space.GetRanks().GetSize()))
@@ -133,7 +133,7 @@ private:
   std::int64_t Sum = 0;
 };
 
-/** Sends the first vertices of own leaves to the ranks around them; returns those received. */
+/** Sends the first vertices of own leaves to the ranks around them; returns the received ones. */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
   std::vector<std::vector<BandPart::LeafVertices>> toEach(

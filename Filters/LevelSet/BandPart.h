@@ -1,6 +1,6 @@
 /**
- * Partition of a band among ranks: each rank has its own leaves, and those of other ranks around
- * its space.
+ * Partition of a band among ranks: each rank has its own leaves, and a halo of other ranks' leaves
+ * around them.
  */
 #ifndef BandPart_h
 #define BandPart_h

@@ -1,4 +1,4 @@
-// Replacement of the whole potential: by an empty one, or by a tree.
+// Replaces the whole potential: by an empty one, or by a tree.
 
 #include "BandState.h"
 
@@ -82,8 +82,8 @@ void BandState::AddGhosts()
   }
 }
 
-// Clamps the layers to +-NodeLimit. In leaves that the node scheme has not made, nodes have + or -
-// the background.
+// Clamps the layers to +-NodeLimit. In leaves that the node scheme has not created, nodes have + or
+// - the background.
 void BandState::BoundLayers()
 {
   this->Leaves.ForEach(

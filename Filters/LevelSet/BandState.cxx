@@ -31,7 +31,7 @@ struct BandState::Move
 namespace
 {
 
-/** Of exact controls: a substep may be as long as so many explicit ones. */
+/** Longest substep with an exact control, in stable explicit substeps. */
 constexpr int RoundsOfLongSteps = 8;
 
 }
@@ -44,7 +44,7 @@ void BandState::Begin(const Motion& motion)
     this->AddGhosts();
   }
   this->SwitchScheme(motion);
-  ForgetSpeeds(this->Leaves); // the target may be another one
+  ForgetSpeeds(this->Leaves); // the target may have been replaced
 }
 
 void BandState::SwitchScheme(const Motion& motion)
@@ -105,12 +105,12 @@ TargetLimits BandState::FollowTarget(
   }
 }
 
-/** What has been done since the backup. */
+/** Undoes everything since the backup. */
 void BandState::TakeBack()
 {
   if (const auto before = this->Backup.Get())
   {
-    this->Leaves = LeafTable(); // what it knows is of the substep that has failed
+    this->Leaves = LeafTable(); // contains data of the failed substep
     this->Restore(before);
   }
 }

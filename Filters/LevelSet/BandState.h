@@ -36,29 +36,29 @@ struct BandState
   SkinMeasure StartMeasure; // world units
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // the band is the paper's: see PaperStep.h
-  bool HasGhosts = true;    // else the node scheme has set all nodes of the layers
+  bool HasGhosts = true;    // false: the node scheme has set all nodes of the layers
   AdvanceReport Work;       // since ForgetWork
-  ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
+  ActiveSet Set;            // of the current substep, which sets it first; kept for its capacity
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
   std::shared_ptr<const BandPart> Part; // null: the band is whole
-  std::shared_ptr<const Domain> Space;  // of the next frames; null: they are whole
-  FetchedLeaves Fetched;                // kept for its memory
-  BandBackup Backup;                    // of what was before new parts
-  NodeStep Nodes;                       // kept for its memory
+  std::shared_ptr<const Domain> Space;  // of the next frames; null: they are not partitioned
+  FetchedLeaves Fetched;                // kept for its capacity
+  BandBackup Backup;                    // state before new parts
+  NodeStep Nodes;                       // kept for its capacity
 
   void MakeEmpty();
-  /** An empty surface that begins at a time; bounds: for the size of the model. */
+  /** Starts an empty surface at a time. bounds: only their size is used. */
   void Reset(double time, const double bounds[6]);
-  /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
+  /** Replaces the potential. The layers follow from the signs; in the paper's band, from the active
    * masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential; ghosts follow from its active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  /** Says of which whole the leaves are a part; comes before they are replaced. */
+  /** Sets the whole band of which the leaves are a part. Call before the leaves are replaced. */
   void SetPart(const std::shared_ptr<const BandPart>& part);
-  /** Makes the ghosts, which substeps need. */
+  /** Creates the ghosts, which substeps need. */
   void AddGhosts();
   StateNumbers GetNumbers() const
   {
@@ -75,22 +75,23 @@ struct BandState
     this->HasGhosts = numbers.HasGhosts;
   }
   float GetBackground() const { return this->Paper ? PaperThreshold : Far; }
-  /** To be called before the first substep of a motion. */
+  /** Call before the first substep of a motion. */
   void Begin(const Motion& motion);
 
   void CreateParts(const Motion& motion, const Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** One substep of any length; the report's SurfaceSpeed is its measured speed. */
+  /** Makes one substep of any length; the report's SurfaceSpeed is its measured speed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
-  /** To be called between motions: the surface counts as just started. */
+  /** Clips the surface at walls and obstacle, between motions. The surface counts as just started.
+   */
   void Confine(const Walls& walls, Obstacle* obstacle);
 
-  /** Moves the surface to what an exact control holds, by a voxel and a half at the most. */
+  /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels. */
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
 
-  /** The surface of the target at the time, after attraction and tension of such a duration. */
+  /** Sets the surface to the target at the time, after attraction and tension of this duration. */
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {
@@ -98,7 +99,7 @@ struct BandState
       ? this->Part->ActiveNodes
       : this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
   }
-  /** Area and volume of all ranks in world units. */
+  /** Returns area and volume of all ranks in world units. */
   SkinMeasure Measure() const;
 
 private:
@@ -108,9 +109,9 @@ private:
   void FillGhostsOfAll();
   void BoundLayers();
 
-  /** Layers and ghosts, from the potential. */
+  /** Finds layers and ghosts from the potential. */
   void RebuildBand(ActiveSet& set);
-  /** Once they are many; counts the crossings. */
+  /** Drops empty leaves if there are many; counts the crossings. */
   void DropEmptyLeaves();
   /** Converts the band to the scheme of this motion: this library's or the paper's. */
   void SwitchScheme(const Motion& motion);

@@ -20,10 +20,6 @@ namespace activesurface
 namespace
 {
 
-/**
- * TBB arenas in which bands are moved.
- */
-
 /** Returns the arena of the calling thread for at most `threads` threads; 0: all. */
 tbb::task_arena& FindArena(int threads);
 
@@ -61,7 +57,7 @@ NarrowBand::~NarrowBand()
 
 void NarrowBand::SetNumberOfThreads(int threads)
 {
-  constexpr int most = 1024; // TBB takes memory for each
+  constexpr int most = 1024; // TBB allocates memory for each
   this->State->Threads = std::min(std::max(threads, 0), most);
 }
 
@@ -107,7 +103,7 @@ void NarrowBand::StartOnNodes(
 {
   BandState& members = *this->State;
   CheckMotion(motion);
-  FindLatticeBox(members.VoxelSize, bounds); // which refuses what no lattice can hold
+  FindLatticeBox(members.VoxelSize, bounds); // throws for bounds that do not fit into a lattice
   members.Reset(time, bounds);
   this->Run([&] { members.StartOnNodes(motion, duration, target); });
 }
@@ -150,7 +146,7 @@ void NarrowBand::RestoreTargets(const Motion& motion)
     [&]
     {
       members.AddGhosts();
-      // Each time by a voxel and a half at the most: until it is reached, or gets no nearer.
+      // Each pass moves at most 1.5 voxels. The loop ends at the value, or without progress.
       double before = HUGE_VAL;
       for (double left = missing(); std::fabs(left) < 0.99 * before; left = missing())
       {
@@ -165,14 +161,14 @@ void NarrowBand::RestoreTargets(const Motion& motion)
 namespace
 {
 
-/** Whether an empty surface may become one that is not. */
+/** Returns true if an empty surface may get parts. */
 bool MayBegin(const Motion& motion, const Target& target)
 {
   return motion.CreateParts && target.HasRegions() && motion.Attraction > 0.0;
 }
 
-/** Calls substep() until it returns false, or the surface has vanished for good; leaves the band as
- * after the last one that finished. */
+/** Calls substep() until it returns false, or the surface has vanished and cannot reappear. Leaves
+ * the band in the state after the last finished substep. */
 template <class Substep>
 void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const AdvanceReport& report,
   Substep&& substep)

@@ -18,7 +18,7 @@ ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand
 
 ///@{
 /**
- * Convert the state to a grid for files, and back, without loss. The grid has the potential at the
+ * Convert the state to a grid for files, and back, lossless. The grid has the potential at the
  * active nodes (without ghosts at all nodes of the layers), + or - the background elsewhere, and
  * the other members as metadata, except GetWork. FromGrid throws std::runtime_error for any other
  * grid.

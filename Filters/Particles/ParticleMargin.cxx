@@ -1,4 +1,4 @@
-// How far from its space a rank needs particles.
+// Width of the margin around a rank's partition in which the rank needs particles.
 
 #include "ParticleNodes.h"
 
@@ -10,7 +10,7 @@ namespace activesurface
 
 int FindMarginOfNodes(const NodeParticleOptions& options, double longestReach)
 {
-  // Margins of nodes around leaves, and for sides of leaves [voxels]; of full cells [own radii].
+  // Margins around nodes and leaves [voxels], and of full cells [own radii].
   constexpr double nodesAround = 5.0, leafAround = 12.0, cellsBeside = 4.0;
   // A centre moves by less than its neighbourhood's radius.
   const double wide = GetNeighbourhoodPerRadius(options.Model) * longestReach;

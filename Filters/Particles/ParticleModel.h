@@ -1,7 +1,7 @@
 // Models of a fluid body made of particles.
 //
-// A particle has two lengths. Its own radius r, half of the usual spacing, is that of its surface
-// if it is isolated. Its support radius R is where its influence ends.
+// A particle has two lengths. Its own radius r, half of the usual spacing, is the radius of its
+// surface if it is isolated. Its influence ends at its support radius R.
 
 #ifndef ParticleModel_h
 #define ParticleModel_h
@@ -15,14 +15,14 @@ enum class ParticleModel
   Anisotropic // Yu and Turk 2013, see ParticleNodes.h
 };
 
-// Default support radius per spacing of the particles.
+// Default support radius over the spacing of the particles.
 inline double GetReachPerSpacing(ParticleModel model)
 {
   return model == ParticleModel::Anisotropic ? 2.25 : 2.0;
 }
 
-// Radius of the neighbourhood that a particle is fitted to, in support radii: 7.25 own radii at
-// usual proportions. Larger values are flatter and more expensive.
+// Radius of the fitted neighbourhood, in support radii: 7.25 own radii at usual proportions. Larger
+// values give flatter surfaces and cost more.
 inline double GetNeighbourhoodPerRadius(ParticleModel model)
 {
   return 7.25 / (2.0 * GetReachPerSpacing(model));

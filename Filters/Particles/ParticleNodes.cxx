@@ -13,19 +13,19 @@ namespace activesurface
 namespace
 {
 
-// Kernel radius of the means of motion and bulk, in own radii.
+// Kernel radius of the means of motion and bulk [own radii].
 constexpr double ReachOfMotion = 4.5;
-// From a particle of a body to its skin, in own radii beyond the first.
+// Distance from a particle of a body to the skin, minus its own radius [own radii].
 constexpr double BeyondOwnRadius = 0.1;
-// Around the skin: that of the potential [voxels]. A hollow of two own radii between particles can
-// be a part of their body, so it is in the shell too.
+// Half width of the shell around the skin [voxels]. A gap of two own radii between particles can
+// belong to their body, so it is in the shell too.
 constexpr double Band = 3.0;
-// A displacement longer than this is none [voxels].
+// A longer displacement counts as none [voxels].
 constexpr double LongestDisplacement = 1e6;
 
 void CheckPlace(double place)
 {
-  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+  constexpr double farthest = 1e9; // node indices are 32-bit integers
   if (!(std::fabs(place) < farthest))
   {
     throw std::runtime_error("A particle is more than 10^9 voxels from the first ones, which no "
@@ -140,11 +140,11 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
   this->FindFits();
 }
 
-// Distance within which the shell holds all nodes around a particle [length].
+// Radius of the ball around a particle whose nodes are in the shell [length].
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
-  // A sum may have any level, and balls of given radii may overlap: then the skin is anywhere
-  // within the kernels.
+  // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be
+  // anywhere within the kernels.
   if (this->Options.Model == ParticleModel::Sum || !(this->Options.OwnRadius > 0.0))
   {
     return particle.Radius + this->Options.VoxelSize;
@@ -332,8 +332,8 @@ ShellLeaf ParticleNodes::FindRows(const NodeIndex& origin) const
   return leaf;
 }
 
-// Lists the particles that may be within reach of a cube of nodes. size: of its side [voxels];
-// before: the columns' rows before each particle; null: they have a row for each.
+// Lists the particles whose supports may touch a cube of nodes. size: side of the cube [voxels].
+// before: number of column rows before each particle; null: each particle has a row.
 const ParticleRuns& ParticleNodes::ListNear(
   const NodeIndex& origin, double size, double reach, const std::uint32_t* before) const
 {

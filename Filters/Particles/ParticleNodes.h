@@ -1,11 +1,12 @@
 // Particles as a target at the nodes of a lattice: see NodeTarget.h in NarrowBand.
 //
-// The potential of ellipsoids is G = 1 - S^(1/4), S the sum of strength (1 - d^2)^3. The
-// skin of a body is where kernels end and S grows with the fifth power of the depth, that of a lone
-// particle where it grows with the third: the root is nearly linear in both.
+// The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. The skin
+// of a body is near the ends of kernels, where S grows with the fifth power of the depth. The skin
+// of an isolated particle is where S grows with the third power. The root is nearly linear in both
+// cases.
 //
-// Lengths are in voxels, places are relative to the block or the leaf that they belong to: so
-// single precision suffices wherever the particles are.
+// Lengths are in voxels. Positions are relative to their block or leaf, so that single precision
+// suffices anywhere.
 
 #ifndef ParticleNodes_h
 #define ParticleNodes_h
@@ -25,13 +26,13 @@
 namespace activesurface
 {
 
-// Particles that are asked for one by one, several times each and by several threads.
+// Particles, read one by one, repeatedly and by several threads at once.
 class NodeParticles
 {
 public:
   virtual std::size_t Size() const = 0;
   virtual SkeletonVertex Get(std::size_t n) const = 0;
-  // Finds x y z [length / motion time]. Returns false if unknown.
+  // Finds the velocity x y z [length / motion time]. Returns false if unknown.
   virtual bool FindVelocity(std::size_t n, double (&velocity)[3]) const = 0;
 
 protected:
@@ -42,35 +43,35 @@ struct NodeParticleOptions
 {
   ParticleModel Model = ParticleModel::Anisotropic;
   double VoxelSize = 1.0;
-  double OwnRadius = 0.0; // [length]; 0: the particle's reach over ReachPerRadius
+  double OwnRadius = 0.0; // [length]; 0: support radius / ReachPerRadius
   double ReachPerRadius = 4.5;
   double Anisotropy = 4.0;       // largest ratio of an ellipsoid's axes
-  bool WantsBulks = true;        // else all particles count as in a body
-  bool AreForPoints = false;     // fits everywhere, as ParticlePotential needs, not only near nodes
-  bool HasVelocities = false;    // else no particle moves
-  double Duration = 0.0;         // by which velocities are multiplied
-  bool HasNoise = false;         // whether the motion of a body is without that of single particles
-  const Domain* Space = nullptr; // shared out to ranks, for ParticleModel::Anisotropic only
+  bool WantsBulks = true;        // otherwise all bulks are 1
+  bool AreForPoints = false;     // fits for any point (ParticlePotential), not only for nodes
+  bool HasVelocities = false;    // otherwise no particle moves
+  double Duration = 0.0;         // of the motion; multiplies the velocities
+  bool HasNoise = false;         // removes the noise of single particles from the motion of a body
+  const Domain* Space = nullptr; // partition among ranks; only for ParticleModel::Anisotropic
 };
 
-// Longest half-axis of an ellipsoid over the particle's reach, where it is a body's.
+// Longest half-axis of an ellipsoid over the support radius, for a particle in a body.
 constexpr double StretchInBody = 1.3;
 
-// Distance along each axis from a rank's leaves within which it needs particles [voxels].
+// Width of the margin along each axis around a rank's leaves in which it needs particles [voxels].
 VTKACTIVEPARTICLES_EXPORT int FindMarginOfNodes(
   const NodeParticleOptions& options, double longestReach);
 
 class VTKACTIVEPARTICLES_EXPORT ParticleNodes
 {
 public:
-  // Keeps its memory. Collective with a domain; the particles then are at least those within the
-  // margin of this rank's space.
+  // Reuses allocated memory. Collective with a domain; the particles then have to include all
+  // within the margin of this rank's partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
   void FindShell(bool wantsInside, Shell& shell) const;
   bool IsInside(const NodeIndex& node) const;
 
-  // For points, in place of nodes.
+  // Access for evaluation at points instead of nodes.
   const ParticleBlocks& GetBlocks() const { return this->Blocks; }
   const NodeFits& GetFits() const { return this->Fits; }
 
@@ -96,12 +97,12 @@ private:
   ParticleBlocks Blocks;
   GhostParticles Ghosts;
 
-  // By the order of the blocks, with room for a vector of eight more.
-  UnsetVector<float> X, Y, Z;    // places
+  // Columns in the order of the blocks, padded by LanePadding.
+  UnsetVector<float> X, Y, Z;    // positions
   UnsetVector<float> DX, DY, DZ; // displacements
   UnsetVector<float> IsMoved;    // 1, or 0 if the displacement is unknown
   UnsetVector<float> OwnRadius, Reach, Strength;
-  UnsetVector<float> InverseReach2; // of the means of motion
+  UnsetVector<float> InverseReach2; // for the means of motion
   NodeFits Fits;
   double MostReachOfMotion = 0.0; // [voxels]
 };

@@ -16,7 +16,7 @@ namespace activesurface
 namespace
 {
 
-// Node numbers are 32-bit integers.
+// Node indices are 32-bit integers.
 constexpr double Farthest = 1e9;
 
 class ParticlesAtRest final : public NodeParticles
@@ -72,7 +72,7 @@ void ParticlePotential::Build(
   }
 }
 
-// Some points and their results.
+// A batch of points and their results.
 class ParticlePotential::Batch
 {
 public:
@@ -85,8 +85,8 @@ public:
   {
   }
 
-  // In groups by parts of blocks. Places are relative to the block, so that a sum does not depend
-  // on the other points.
+  // Evaluates groups of points in one part of a block. Positions are relative to the block, so that
+  // a sum does not depend on the other points.
   void Evaluate(std::size_t count) const
   {
     const PointGroups groups(
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  // Returns false for points beyond all particles, which get their values here.
+  // Returns false if the point is not finite or beyond all particles, after writing its value.
   bool FindPart(std::size_t i, NodeIndex& part) const
   {
     const double* x = this->Points + 3 * i;

@@ -1,9 +1,9 @@
-// Potential of particles at any point: F = (1 - S) / 2, negative inside, with S the sum of strength
+// Potential of particles at any point: F = (1 - S) / 2, negative inside. S is the sum of strength
 // (1 - d^2)^3 over the ellipsoids that the node scheme fits to the particles (Nodes/NodeFits.h).
 // For functions and explicit substeps; ParticleNodes.h evaluates S at nodes.
 //
 // F and its gradient are bitwise identical for any batch, thread and instruction set, and do not
-// depend on particles out of reach.
+// depend on particles whose supports do not contain the point.
 
 #ifndef ParticlePotential_h
 #define ParticlePotential_h
@@ -20,21 +20,21 @@ namespace activesurface
 class VTKACTIVEPARTICLES_EXPORT ParticlePotential
 {
 public:
-  // Precedes the first evaluation. Uses the options' model, radii and anisotropy. Particles with a
-  // strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws as
-  // ParticleNodes do, and std::invalid_argument for particles more than 10^9 own radii from the
+  // Call before the first evaluation. Uses the options' model, radii and anisotropy. Particles with
+  // a strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws like
+  // ParticleNodes, and std::invalid_argument for particles more than 10^9 own radii from the
   // origin.
   void Build(const std::vector<SkeletonVertex>& particles, NodeParticleOptions options);
 
-  // Evaluates at points (x y z each); gradients may be null. A point that is not finite gets NaN.
-  // Thread-safe.
+  // Evaluates at points (x y z each); gradients may be null. Returns NaN at a point that is not
+  // finite. Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
-  // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false if it has none.
+  // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false without an ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
-  // Finds the vector of the length of the spacing away from the neighbours of a particle at the
-  // edge of a body. Returns false for other particles.
+  // Finds the vector, as long as the spacing, away from the neighbours of a particle at the edge of
+  // a body. Returns false for other particles.
   bool FindOutward(std::size_t particle, double (&outward)[3]) const;
 
   // Finds the bounding box of all ellipsoids; returns false if there are none.
@@ -43,7 +43,7 @@ public:
 private:
   class Batch;
 
-  double Unit = 1.0; // length of a voxel of the nodes, the smallest own radius
+  double Unit = 1.0; // voxel size of the nodes: the smallest own radius
   ParticleNodes Nodes;
   std::vector<std::uint32_t> Places; // of each particle in the order of the blocks
 };

@@ -17,7 +17,7 @@ namespace activesurface
 {
 
 // Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
-// 0, or without a later step, these are the particles of the earlier step. Else they are the
+// 0, or without a later step, these are the particles of the earlier step. Otherwise they are the
 // particles of the earlier step in their order, then the births in their order, without particles
 // faded to zero. In a periodic box each particle is replaced by its copies in the box and the
 // margin.
@@ -38,7 +38,7 @@ public:
     return this->OriginOf(this->Copies.empty() ? this->KeptAt(n) : this->Copies[n].Particle);
   }
 
-  // Replace the contents of the lists by the particles, and by their origins.
+  // Replaces the contents of the lists by the particles and their origins.
   void List(std::vector<SkeletonVertex>& particles) const;
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 

@@ -205,7 +205,7 @@ std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 /** Validates the bytes that TypedAttributeArray::readMetadata reads. */
 Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
 {
-  constexpr std::uint64_t head = 6; // bytes of the header, which count as stored
+  constexpr std::uint64_t head = 6; // bytes of the header, included in the stored bytes
   enum
   {
     Strided = 1,

@@ -28,7 +28,7 @@ struct VDBFormat
   };
   Leaves Kind = Values;
   std::uint32_t ValueSize = 0;   //< bytes, in memory
-  std::uint32_t StoredSize = 0;  //< bytes in the file, less as half floats
+  std::uint32_t StoredSize = 0;  //< bytes in the file; fewer for half floats
   std::uint32_t Compression = 0; //< OpenVDB's flags
 };
 
@@ -47,7 +47,7 @@ struct VDBTree
     std::array<std::uint64_t, 8> Active;
   };
 
-  std::uint64_t ActiveVoxels = 0; //< including those of tiles
+  std::uint64_t ActiveVoxels = 0; //< including active tiles
   std::uint64_t ActiveTiles = 0;
   std::uint64_t NumberOfLeaves = 0;
   openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
@@ -58,7 +58,7 @@ struct VDBTree
 /** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */
 VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 
-/** Validates the buffers that follow the topology, except those of points. */
+/** Validates the buffers that follow the topology, except buffers of points. */
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**

@@ -1,4 +1,4 @@
-// Failure to read or write a file: a full sentence and the error code of VTK's readers and writers
+// Failure to read or write a file: a message and the error code of VTK's readers and writers
 // (vtkErrorCode).
 
 #ifndef FileError_h
@@ -27,7 +27,7 @@ private:
   unsigned long Code;
 };
 
-// Returns the code of a FileError, UnknownError for others.
+// Returns the code of a FileError, or UnknownError for other exceptions.
 inline unsigned long GetErrorCode(const std::exception& error)
 {
   const auto* known = dynamic_cast<const FileError*>(&error);

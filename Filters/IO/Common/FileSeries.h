@@ -13,19 +13,19 @@ namespace activesurface
 {
 
 // Inserts the number into the pattern. It replaces the last run of # in the file's name, padded to
-// the run's length, else %d or %0Nd. Without a placeholder, and if `always`, four digits are put
+// the run's length, or else %d or %0Nd. Without a placeholder, and if `always`, inserts four digits
 // before the extension.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
-// Times of a series' files, by file. NaN: the file states none. Times that are not finite or do not
-// ascend are replaced by file indices.
+// Times of a series' files, by file; NaN: unavailable. Times that are not finite or do not ascend
+// are replaced by file indices.
 class FileTimes
 {
 public:
   FileTimes() = default;
   explicit FileTimes(std::vector<double> stated);
 
-  // Index of the file for the time that is requested of an output.
+  // Returns the index of the file for the requested time of an output.
   int FindFile(vtkInformation* output) const;
   // Sets the time steps of an output, if there are several files.
   void Publish(vtkInformation* output) const;

@@ -54,8 +54,8 @@ std::string ReadName(EXRInput& input)
   return name;
 }
 
-// OpenEXR before 3.3 reads some types beyond the attribute's size, or not to its end. Then the next
-// bytes count as the next attribute, of any size.
+// OpenEXR before 3.3 reads some types beyond the attribute's size, or not to its end. It then
+// treats the following bytes as the next attribute, of any size.
 void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::Header& header)
 {
   const std::string type = ReadName(input);
@@ -98,12 +98,12 @@ int CountLinesOfChunk(Imf::Compression compression)
     case Imf::DWAA_COMPRESSION:
       return 32;
     default:
-      return 256; // DWAB, and the most of compressions newer than this code
+      return 256; // DWAB, and the largest of compressions newer than this code
   }
 }
 
-// Upper bound of the bytes that one packed byte unpacks to: deflate's. RLE, PIZ and B44 reach less;
-// DWA deflates the means of blocks of 64 pixels.
+// Upper bound of the ratio of unpacked to packed bytes: that of deflate. RLE, PIZ and B44 have
+// lower ratios; DWA deflates the means of blocks of 64 pixels.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;
@@ -112,7 +112,7 @@ double FindLargestRatio(Imf::Compression compression)
                                             : 64.0 * deflate;
 }
 
-// Sums and differences of three coordinates then fit into an int.
+// With this limit, sums and differences of three coordinates fit into an int.
 void CheckWindow(const Imath::Box2i& window)
 {
   constexpr int farthest = 1 << 29;
@@ -137,7 +137,7 @@ double CountChunks(const Imf::Header& header, bool tiled, double width, double h
   return std::max(stated, CountPieces(height, CountLinesOfChunk(header.compression())));
 }
 
-// Refuses more pixels than the file's bytes can hold. Every chunk has 8 bytes in a table.
+// Rejects more pixels than the file's bytes can contain. Every chunk has 8 bytes in a table.
 void CheckSize(const Imf::Header& header, bool tiled, double fileSize)
 {
   CheckWindow(header.dataWindow());

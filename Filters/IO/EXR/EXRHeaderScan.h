@@ -12,11 +12,11 @@ namespace activesurface
 {
 
 // Reads the headers by OpenEXR's attributes and rewinds the stream. Throws std::exception if an
-// attribute is not of the size that it states, or a file of this size cannot hold the image.
+// attribute does not have its stated size, or a file of this size cannot contain the image.
 void CheckEXRHeaders(EXRInput& input);
 
-// Bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels count
-// whole.
+// Returns the bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels
+// count as complete.
 double CountBytesOfChunk(const Imf::Header& header);
 
 }

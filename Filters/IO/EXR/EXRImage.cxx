@@ -34,8 +34,8 @@ double CountPixels(const EXRExtent& extent)
     (static_cast<double>(extent[3]) - extent[2] + 1);
 }
 
-// Bytes needed to read: the pixels, the samples of subsampled channels, and a chunk in packed,
-// unpacked and intermediate form.
+// Returns the bytes needed to read: the pixels, the samples of subsampled channels, and a chunk in
+// packed, unpacked and intermediate form.
 double CountBytes(const EXRPart& part, const std::vector<EXRLayer>& layers, const EXRExtent& extent)
 {
   constexpr double bytesOfPixel = 4.0;
@@ -67,7 +67,8 @@ vtkSmartPointer<vtkDataArray> MakeArray(const EXRLayer& layer, vtkIdType pixels)
   return array;
 }
 
-// Appends a number to the second of two equal names, as of a channel N and the layer N.X, N.Y, N.Z.
+// Appends a number to the second of two equal names, as for a channel N and the layer N.X, N.Y,
+// N.Z.
 void AddUnderOwnName(vtkDataArray* array, vtkPointData* data)
 {
   const std::string name = array->GetName();
@@ -198,7 +199,7 @@ EXRPart Describe(const Imf::Header& header)
 {
   EXRPart part;
   part.Name = header.hasName() ? header.name() : "";
-  part.Type = header.type(); // OpenEXR adds a missing one
+  part.Type = header.type(); // OpenEXR adds a missing type
   part.Data = Flip(header.dataWindow(), header.displayWindow());
   part.Display = Flip(header.displayWindow(), header.displayWindow());
   const Imf::ChannelList& channels = header.channels();

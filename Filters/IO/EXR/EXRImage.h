@@ -28,7 +28,7 @@ struct EXRPart
   std::vector<EXRChannel> Channels;
   EXRExtent Data{}, Display{};
   double Time = std::nan(""); // the attribute "time"
-  double ChunkBytes = 0.0;    // of the lines or the tile that OpenEXR unpacks at a time
+  double ChunkBytes = 0.0;    // bytes of the lines or the tile that OpenEXR unpacks at a time
 };
 
 // Destination of a channel's pixels: unsigned int for UINT channels, float for the others.

@@ -1,5 +1,5 @@
-// Maps names of EXR channels to names of VTK arrays by OpenEXR's convention of layers. In it, `N.X`
-// is component X of layer N, and R, G, B, A are the picture itself.
+// Maps names of EXR channels to names of VTK arrays by OpenEXR's layer convention: `N.X` is
+// component X of layer N, and R, G, B, A are the picture itself.
 
 #ifndef EXRLayers_h
 #define EXRLayers_h
@@ -39,7 +39,7 @@ std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels);
 // Names the channels of an array with `components` components; `color` if they are colors.
 std::vector<std::string> NameChannels(const std::string& array, int components, bool color);
 
-// Returns true for channels that may be packed with loss: R, G, B, A or Y, of the picture or a
+// Returns true for channels that lossy compression may change: R, G, B, A or Y, of the picture or a
 // layer.
 bool IsColorChannel(const std::string& channel);
 

@@ -24,8 +24,8 @@ struct EXRSource
   vtkSmartPointer<vtkDataArray> Array;
   int Component = 0;
   EXRPixel Type = EXRPixel::FLOAT;
-  bool Normalized = false; // integers stand for 0 to 1
-  bool FromSRGB = false;   // decoded to linear
+  bool Normalized = false; // integers represent 0 to 1
+  bool FromSRGB = false;   // sRGB, to be decoded to linear
 };
 
 // Samples of a channel, in the order of the array's tuples.

@@ -1,4 +1,4 @@
-// Streams for OpenEXR that know their size and report every error. OpenEXR's own output stream
+// Streams for OpenEXR with a known size, which report every error. OpenEXR's own output stream
 // ignores errors of the last bytes, which are written when it closes.
 
 #ifndef EXRStreams_h
@@ -33,7 +33,7 @@ public:
   void seekg(std::uint64_t position) override;
 
   std::uint64_t GetSize() const { return this->Size; }
-  // Returns true if a read reached beyond the end.
+  // Returns true if a read went beyond the end.
   bool HasEndedEarly() const { return this->EndedEarly; }
 
 private:

@@ -31,7 +31,7 @@ namespace activesurface
 namespace
 {
 
-// By vtkActiveEXRWriter::CompressionType.
+// Index: vtkActiveEXRWriter::CompressionType.
 constexpr Imf::Compression Compressions[] = { Imf::NO_COMPRESSION, Imf::ZIP_COMPRESSION,
   Imf::ZIPS_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::DWAA_COMPRESSION };
 
@@ -137,8 +137,8 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
     samples.Stride, static_cast<std::size_t>(-row));
 }
 
-// Worker threads of OpenEXR, for one file. OpenEXR has none unless the program sets their number,
-// which is then kept.
+// Worker threads of OpenEXR, for one file. OpenEXR has no threads unless the program sets their
+// number, which is then kept.
 class PackingThreads
 {
 public:
@@ -170,7 +170,7 @@ void WritePixels(
 {
   const Imf::Header header = MakeHeader(settings, sources);
   const Imath::Box2i& window = header.dataWindow();
-  std::vector<EXRSamples> channels; // outlives the frame buffer, which refers to it
+  std::vector<EXRSamples> channels; // has to outlive the frame buffer, which refers to it
   channels.reserve(sources.size());
   Imf::FrameBuffer frame;
   for (const EXRSource& source : sources)
@@ -327,7 +327,7 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
 void PlanArray(
   vtkDataArray* array, bool scalars, const EXRChoices& choices, std::vector<EXRSource>& sources)
 {
-  // Arrays of other readers and of windows have names such as PNGImage and ImageScalars.
+  // Other readers and windows use array names such as PNGImage and ImageScalars.
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {

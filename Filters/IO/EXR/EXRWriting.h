@@ -28,7 +28,7 @@ struct EXRChannelRequest
 // Choices of the user.
 struct EXRChoices
 {
-  std::vector<EXRChannelRequest> Channels; // replace the rule for the arrays that they name
+  std::vector<EXRChannelRequest> Channels; // replace automatic channels of the arrays they name
   std::map<std::string, EXRPixel> Types;   // by array
   bool FromSRGB = false;
 };
@@ -38,7 +38,7 @@ std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choic
 
 struct EXRHeaderSettings
 {
-  int Compression = 1;              // of vtkActiveEXRWriter
+  int Compression = 1;              // CompressionType of vtkActiveEXRWriter
   int Level = 4;                    // of ZIP and ZIPS
   std::array<int, 4> Extent{};      // first and last column, first and last row from below
   std::array<int, 2> DisplaySize{}; // 0: the extent is the display window

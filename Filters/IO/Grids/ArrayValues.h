@@ -1,4 +1,4 @@
-// Values of VTK arrays and of OpenVDB.
+// Conversion of values between VTK arrays and OpenVDB.
 
 #ifndef ArrayValues_h
 #define ArrayValues_h
@@ -33,7 +33,7 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   }
   else if constexpr (sizeof(Element) == sizeof(vtkTypeInt64) && std::is_integral<Element>::value)
   {
-    return array->GetVariantValue(tuple).ToTypeInt64(); // exceeds a double's digits
+    return array->GetVariantValue(tuple).ToTypeInt64(); // has more digits than a double
   }
   else
   {

@@ -15,7 +15,7 @@ class vtkImageData;
 namespace activesurface
 {
 
-// A validated file and the grids that are read of it: volumes of one transform, or one grid of
+// A validated file and the grids that are read from it: volumes of one transform, or one grid of
 // points.
 struct ChosenGrids
 {
@@ -40,7 +40,7 @@ struct ImagePlace
   double Spacing[3] = { 1.0, 1.0, 1.0 };
   double Direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
 
-  double CountPoints() const; // as a double: the count may exceed any integer
+  double CountPoints() const; // a double, because the count may exceed any integer type
 };
 
 // Throws std::invalid_argument for a transform that is not a rotation and scale.

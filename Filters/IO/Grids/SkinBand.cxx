@@ -24,7 +24,7 @@ using openvdb::Vec3d;
 struct Nearest
 {
   std::int32_t Triangle = -1;
-  double Square = std::numeric_limits<double>::infinity(); // of the distance
+  double Square = std::numeric_limits<double>::infinity(); // distance to the nearest triangle
   Vec3d Foot;
 };
 
@@ -51,7 +51,7 @@ public:
 
   using Reader = openvdb::tree::ValueAccessor<const openvdb::Int32Tree>;
 
-  // Replaces the nearest triangle if this one is nearer.
+  // Replaces the nearest triangle if this one is closer.
   void Try(std::int32_t triangle, const Vec3d& node, Nearest& nearest) const
   {
     const auto& t = this->Mesh.Triangles[triangle];
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  // Tries the triangles of the voxels in a box that are nearer than the current distance.
+  // Tries the triangles of the voxels in a box that are closer than the current distance.
   void TryBox(Reader& first, const Coord& lower, const Coord& upper, const Vec3d& node,
     Nearest& nearest) const
   {
@@ -88,7 +88,7 @@ public:
     }
   }
 
-  // Moves to nearer triangles around the foot point until there are none.
+  // Moves to closer triangles around the foot point until there are none.
   void Descend(Reader& first, const Vec3d& node, Nearest& nearest) const
   {
     Coord last = Coord::max();

@@ -1,9 +1,9 @@
 // Computes exact distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
-// The potential is no exact distance and provides only the sign. A node's search begins at the
-// nearest triangles of its neighbours nearer to the surface. The search moves to nearer triangles
-// around the foot point until there are none. Each layer of nodes depends only on the previous
-// layer, so the result does not depend on the number of threads.
+// The potential provides only the sign, because it is no exact distance. The search of a node
+// starts at the nearest triangles of its neighbours closer to the surface. It moves to closer
+// triangles around the foot point until there are none. Each layer of nodes depends only on the
+// previous layer, so the result does not depend on the number of threads.
 //
 // OpenVDB's conversion of meshes with the walk of MeshDistance.h needs twice the time here, and its
 // distances are up to half a voxel too long near medial axes.

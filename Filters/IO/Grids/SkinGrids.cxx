@@ -26,7 +26,7 @@ namespace
 
 using openvdb::Vec3d;
 
-// Barycentric weights of the triangle's point nearest to a node.
+// Returns the barycentric weights of the triangle's point nearest to a node.
 Vec3d FindWeights(const LatticeMesh& mesh, std::int32_t triangle, const openvdb::Coord& node)
 {
   const auto& t = mesh.Triangles[triangle];
@@ -50,7 +50,7 @@ Value Blend(const Value corner[3], Vec3d weights, std::false_type)
   return corner[std::max_element(first, first + 3) - first];
 }
 
-/** Visits leaves in parallel. OpenVDB's LeafManager takes a second to compile for each type. */
+/** Visits leaves in parallel. Compiling OpenVDB's LeafManager needs a second per type. */
 template <class Tree, class Function>
 void ForEachLeaf(Tree& tree, Function function)
 {

@@ -54,7 +54,7 @@ double FindLongestSide(const MeshTriangles& mesh)
 }
 
 // Returns the triangles of ReadTriangles on a lattice; points keep their indices. An automatic
-// voxelSize becomes a 64th of the longest side of the mesh's bounds. origin: becomes the world
+// voxelSize becomes a 64th of the longest side of the mesh's bounds. origin: receives the world
 // position of the lattice's node (0, 0, 0).
 LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<double, 3>& origin)
 {

@@ -25,7 +25,7 @@ struct VDBChoice
   double VoxelSize = Automatic;                    // of a mesh: a 64th of its size
 };
 
-// Throws std::invalid_argument, with a sentence, for data that cannot become the chosen grids.
+// Throws std::invalid_argument, with a message, for data that cannot become the chosen grids.
 // attached: to the data, or gathered from all ranks; may be null.
 openvdb::GridPtrVec MakeGrids(vtkDataObject* data,
   const std::shared_ptr<const AttachedState>& attached, const VDBChoice& choice);

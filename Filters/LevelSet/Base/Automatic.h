@@ -1,6 +1,4 @@
-/**
- * Value of a property that is left to the class: -1, wherever a property has one.
- */
+/** The value -1 of a property leaves the choice to the class. */
 #ifndef Automatic_h
 #define Automatic_h
 

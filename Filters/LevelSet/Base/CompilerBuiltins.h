@@ -1,7 +1,7 @@
 /**
- * Features of GCC and Clang that standard C++17 lacks: bits of words, relaxed access to plain
- * numbers, prefetching, inlining, and functions for one instruction set. A port to another compiler
- * replaces them here, and the vectors in FloatLanes.h.
+ * Features of GCC and Clang that are missing in standard C++17: bits of words, relaxed access to
+ * plain numbers, prefetching, inlining, and functions for one instruction set. A port to another
+ * compiler replaces these features, and the vectors in FloatLanes.h.
  */
 #ifndef CompilerBuiltins_h
 #define CompilerBuiltins_h
@@ -17,13 +17,13 @@
 #define ACTIVE_FOR_AVX512
 #endif
 
-// For functions and, after the parameters, for lambdas. A callee gets the instruction set of a
-// kernel only if it is inlined into the kernel.
+// For functions and, after the parameters, for lambdas. A function that a kernel calls gets the
+// instruction set of the kernel only if it is inlined into the kernel.
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
 
-// Precedes a loop over a few lanes. GCC would unroll the loop before vectorisation, and then not
-// vectorise it.
+// Precedes a loop over a few lanes. Otherwise GCC would unroll the loop before vectorisation, and
+// then not vectorise it.
 #ifdef __clang__
 #define ACTIVE_LANES _Pragma("clang loop unroll(disable)")
 #else

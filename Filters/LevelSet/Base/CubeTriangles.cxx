@@ -4,16 +4,16 @@
 #include <utility>
 #include <vector>
 
-// Construction of the table. On each face, every run of inside corners is cut off by one segment,
-// from the edge where a walk around the face enters the run to the edge where it leaves the run. A
-// crossed edge lies on two faces, is entered on one and left on the other, and so the segments form
-// closed loops. The loops are then filled with triangles.
+// Construction of the table. On each face, one segment cuts off every run of inside corners. A walk
+// around the face enters the run at one end of the segment, and leaves the run at the other end. A
+// crossed edge lies on two faces. It is entered on one face and left on the other, so the segments
+// form closed loops. The loops are then filled with triangles.
 //
 // A diagonal between two edges of one face is never used: the neighbour across that face might draw
 // the same diagonal, and the mesh edge would have four triangles. Other diagonals run through the
 // interior of the voxel, where no neighbour can meet them. Every loop of all 256 cases (3 to 7
-// edges) can be filled so without an extra vertex; TestCubeTriangles checks the triangles of all
-// cases.
+// edges) can be filled in this way without an extra vertex; TestCubeTriangles checks the triangles
+// of all cases.
 
 namespace activesurface
 {

@@ -27,7 +27,7 @@ namespace activesurface
 constexpr int CornersOfVoxel = 8;
 constexpr int EdgesOfVoxel = 12;
 
-/** The lower end of each edge; the upper end is one step further along the edge's axis. */
+/** Lower end of each edge; the upper end is one step further along the edge's axis. */
 constexpr std::array<std::uint8_t, EdgesOfVoxel> LowerCornerOfEdge = { 0, 1, 2, 3, 0, 1, 4, 5, 0, 2,
   4, 6 };
 
@@ -47,7 +47,7 @@ constexpr int UpperCornerOfEdge(int edge)
   return LowerCornerOfEdge[edge] + (4 >> AxisOfEdge(edge));
 }
 
-/** The first Count rows of Edge are triangles; a row holds three edges of the voxel. */
+/** The first Count rows of Edge are triangles. A row consists of three edges of the voxel. */
 struct VoxelTriangles
 {
   static constexpr int MaximumCount = 5;

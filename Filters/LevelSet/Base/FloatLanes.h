@@ -1,6 +1,6 @@
 /**
  * Vectors of eight floats, for kernels compiled for several instruction sets (InstructionSets.h).
- * Each lane gives the same bits as the operations on a single number.
+ * Each lane is bitwise identical to the operations on a single number.
  */
 #ifndef FloatLanes_h
 #define FloatLanes_h
@@ -95,7 +95,7 @@ ACTIVE_ALWAYS_INLINE Lanes Root(const Lanes& x)
 /** x^(-1/3) to six digits; x > 0. */
 ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
 {
-  // The start divides the exponent by -3. Four steps of Newton's method follow.
+  // The initial value divides the exponent by -3. Four steps of Newton's method follow.
   constexpr std::int32_t start = 0x54a2fa8c;
   LaneMask bits;
   std::memcpy(&bits, &x, sizeof bits);
@@ -110,7 +110,7 @@ ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
   return root;
 }
 
-/** Returns one bit for each lane in which the condition holds. */
+/** Returns one bit for each lane in which the condition is true. */
 ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 {
 #ifdef __SSE2__

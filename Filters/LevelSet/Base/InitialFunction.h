@@ -23,10 +23,10 @@ struct SurfacePoints
    * each axis [length]. */
   double Reach = 0.0;
 
-  /** Box outside which the function is not negative. */
+  /** Box that contains all points where the function is negative. */
   double Bounds[6] = {};
 
-  /** Walls may cut the shape off up to this far inside the bounds of the start [length]. */
+  /** Largest distance inside the bounds of the start at which walls may cut the shape [length]. */
   double DepthOfWalls = 0.0;
 };
 
@@ -44,8 +44,8 @@ struct InitialFunction
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set, used in place of regions if present. The cost of the start then
-   * depends on the points. The result is bitwise identical to that without points.
+   * Points near the zero set, used instead of regions if available. The cost of the start then
+   * depends on the points. The result is bitwise identical to the start without points.
    */
   SurfacePoints Surface;
 };

@@ -3,9 +3,10 @@
  * among them.
  *
  * At its first use the library chooses the best set of the processor, or the set named by the
- * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor lacks
- * is replaced by the best set below it. Results do not depend on the choice: rows are vectorised
- * lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is off.
+ * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor does
+ * not support is replaced by the best set below it. Results do not depend on the choice: rows are
+ * vectorised lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is
+ * off.
  */
 #ifndef InstructionSets_h
 #define InstructionSets_h
@@ -26,7 +27,7 @@ enum class InstructionSet
 /** Returns the set with which kernels run. */
 ACTIVELEVELSET_EXPORT InstructionSet GetInstructionSet();
 
-/** Chooses a set, or the best set below it that the processor has. Returns the choice, which
+/** Chooses a set, or the best set below it that the processor supports. Returns the choice, which
  * applies to the whole program. Must not be called while a band, skin or skeleton is computed. */
 ACTIVELEVELSET_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 

@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** The voxel that contains a position [voxels], and the fractions of the position, as in
+/** The voxel that contains a position [voxels], and the position's fractions in it, as in
  * Trilinear.h. */
 struct LatticeCell
 {

@@ -1,6 +1,6 @@
 /**
- * Distances to triangles at nodes near them, by OpenVDB's converter. Compilation of the converter
- * takes half a minute, so only this library compiles it.
+ * Distances to triangles at nodes near them, by OpenVDB's converter. Only this library compiles the
+ * converter, because that needs half a minute.
  */
 #ifndef MeshBand_h
 #define MeshBand_h
@@ -23,12 +23,12 @@ public:
   virtual openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const = 0;
 };
 
-/** Both grids have the identity as transform. */
+/** Distances and nearest triangles. The transform of both grids is the identity. */
 struct MeshBand
 {
   static constexpr openvdb::Int32 NoTriangle = -1;
 
-  openvdb::FloatGrid::Ptr Distances; //< [voxels]; beyond the half width + or - the half width
+  openvdb::FloatGrid::Ptr Distances; //< [voxels]; + or - the half width beyond the half width
   openvdb::Int32Grid::Ptr Triangles; //< number of the nearest triangle, where Distances is active
 };
 

@@ -1,5 +1,5 @@
 /**
- * The motion strategy: what makes the surface move, as plain numbers.
+ * The motion strategy: the terms that move the surface, as plain numbers.
  *
  * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, sign of the tension
  * corrected):
@@ -23,8 +23,8 @@ namespace activesurface
 
 class Obstacle;
 
-/** How area or volume is controlled: not at all; by a penalty speed proportional to the deficit
- * (the paper); or exactly, by a uniform displacement after each substep. */
+/** Control of area or volume: none; a penalty speed proportional to the deficit (the paper); or
+ * exact, by a uniform displacement after each substep. */
 enum class Control
 {
   None,
@@ -32,8 +32,10 @@ enum class Control
   Exact
 };
 
-/** Where the target is evaluated for the speed of a node: at the crossed edges, from which speeds
- * are extended; at the node itself; or at the closest point of the surface. */
+/**
+ * Points at which the target is evaluated for the speed of a node: at the crossed edges, from which
+ * speeds are extended; at the node itself; or at the closest point of the surface.
+ */
 enum class TargetEvaluation
 {
   Shifted,
@@ -41,8 +43,8 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** Scheme of a substep: forward Euler within the stable step of the fastest part; or for the
- * whole interval at once, at nodes near the target's surface (see nodes.md). */
+/** Scheme of a substep: forward Euler within the stable step of the fastest part; or one step for
+ * the whole interval, at nodes near the target's surface (see nodes.md). */
 enum class TimeIntegration
 {
   Explicit,
@@ -66,12 +68,12 @@ struct Motion
   double Tension = 0.0;
 
   /**
-   * Share of the target's own velocity that carries the surface along, in [0,1]. With 1 it follows
-   * without a lag whatever moves as the target says, at any Attraction. Not in the paper's scheme.
+   * Fraction of the target's own velocity that carries the surface, in [0,1]. With 1 the surface
+   * follows the target's velocity without a lag, at any Attraction. Not in the paper's scheme.
    */
   double Transport = 0.0;
 
-  /** Whether the target's weights multiply Tension. Not in the paper's scheme. */
+  /** If true, the target's weights multiply Tension. Not in the paper's scheme. */
   bool WeightedTension = false;
 
   /**
@@ -81,7 +83,7 @@ struct Motion
    */
   double CFL = 1.0;
 
-  /** Upper bound of a substep. The target is evaluated once per substep, at its beginning. > 0. */
+  /** Upper bound of a substep, > 0. The target is evaluated once per substep, at its beginning. */
   double LongestStep = std::numeric_limits<double>::infinity();
 
   ///@{
@@ -99,7 +101,7 @@ struct Motion
   ///@}
 
   ///@{
-  /** The value to be held; 0: the value at the start. >= 0. */
+  /** The value to conserve; 0: the value at the start. >= 0. */
   double TargetArea = 0.0;
   double TargetVolume = 0.0;
   ///@}
@@ -107,69 +109,73 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
-  /** Nodes needs a target with nodes and an Attraction by which distances fall by e^2 at least, and
-   * knows no penalties. */
+  /** Nodes needs a target with nodes and an Attraction by which distances fall by a factor e^2 or
+   * more. It does not support penalties. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
   bool Paper = false;
 
   Walls Box;
-  /** Beyond the sides of a periodic box, up to the walls, the node scheme repeats the surface. */
+  /** In a periodic box, the node scheme repeats the surface beyond the sides, up to the walls. */
   Periods Period;
 
-  /** What the surface may not enter, the caller's; null: nothing. It learns the leaves where the
-   * surface comes. */
+  /**
+   * Obstacle that the surface may not enter, owned by the caller; null: none. It is sampled in each
+   * leaf that the surface reaches.
+   */
   Obstacle* Solid = nullptr;
 
-  /** Whether parts of the target that no skin reaches, and hollows of it deep inside the skin, get
-   * a skin, where the target has regions. Not in the paper's scheme. */
+  /** If true, the target's regions are searched. Parts of the target that no skin reaches, and
+   * hollows deep inside the skin, then get a skin. Not in the paper's scheme. */
   bool CreateParts = false;
 };
 
-/** Whether the target gives the surface a speed. */
+/** Returns true if the target gives the surface a speed. */
 inline bool HasTargetSpeed(const Motion& motion)
 {
   return motion.Attraction > 0.0;
 }
 
-/** When NarrowBand::AdvanceToSteadyState ends. */
+/** End of NarrowBand::AdvanceToSteadyState. */
 struct SteadyStateCriterion
 {
   /** Largest normal speed at the sample points [voxels/time]. If it is not 0, the surface is also
    * steady if the rest of its motion is an oscillation; see Displacement.h. */
   double Tolerance = 1e-3;
-  /** A sample point that has come farther in a window of substeps moves [voxels]. */
+  /** Longest displacement of a static sample point in a window of substeps [voxels]. */
   static constexpr double Still = .02;
-  /** Largest share of the sample points that may move in a steady state. */
+  /** Largest fraction of the sample points that may move in a steady state. */
   static constexpr double FewMoving = .05;
   std::size_t MaximumSubsteps = 10000;
 };
 
-/** What NarrowBand::Advance or AdvanceToSteadyState did. */
+/** Result of NarrowBand::Advance or AdvanceToSteadyState. */
 struct AdvanceReport
 {
   std::size_t Substeps = 0;
-  std::size_t SkippedSubsteps = 0;   //< substeps skipped, as all leaves had converged
+  std::size_t SkippedSubsteps = 0;   //< substeps skipped, because all leaves had converged
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
-  std::size_t UniformPulls = 0;      //< substeps in which a control EXACT undid all attraction
+  std::size_t UniformPulls = 0;      //< substeps in which an exact control cancelled all attraction
   std::size_t CreatedParts = 0;      //< parts and hollows, see Motion::CreateParts
   double MaxSpeed = 0.0;             //< largest |target speed| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
-  bool Aborted = false;              //< the progress function stopped it; the time is that reached
-  bool IsSteady = false;             //< AdvanceToSteadyState came to rest
+  bool Aborted = false;              //< the progress function cancelled it
+  bool IsSteady = false;             //< AdvanceToSteadyState reached a steady state
   /** Largest normal speed at the sample points in the last substep of AdvanceToSteadyState
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
-  /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the
-   * surface that moved in the last window, see Displacement.h; not a number before the first has
-   * ended. */
+  /**
+   * Result of AdvanceToSteadyState: 0 if the speed has met the tolerance, otherwise the fraction of
+   * the surface that moved in the last window (see Displacement.h). NaN before the end of the first
+   * window.
+   */
   double MovingShare = 0.0;
-  double MovingDistance = 0.0; //< likewise, by how far on the average [voxels]
+  double MovingDistance = 0.0; //< likewise, mean displacement [voxels]
 };
 
-/** Receives the fraction done, in [0,1], before each substep; returns false to stop there. */
+/** Receives the completed fraction, in [0,1], before each substep; returns false to stop there. */
 using ProgressFunction = std::function<bool(double)>;
 
 }

@@ -31,7 +31,7 @@ struct ShellLeaf
 /** Leaves near the surface of a target; every other leaf is on one side of the surface. */
 struct Shell
 {
-  std::vector<ShellLeaf> Leaves;       //< ascending by their origins (x, y, z)
+  std::vector<ShellLeaf> Leaves;       //< ascending by origin (x, y, z)
   std::vector<NodeIndex> InsideLeaves; //< other leaves inside, in any order; on request
 };
 
@@ -41,7 +41,7 @@ struct LeafMotion
 {
   static constexpr int Points = 27;
   float Displacement[3][Points]; //< since the last frame [voxels]
-  float Bulk[Points];            //< in [0,1]: 0 around a lone particle, 1 in a body
+  float Bulk[Points];            //< in [0,1]: 0 around an isolated particle, 1 in a body
   bool IsStill = true;           //< all displacements are 0
 };
 
@@ -61,9 +61,9 @@ class NodeTarget
 public:
   virtual ~NodeTarget() = default;
 
-  /** Places the target at the end of a motion; displacements begin at its begin. Called by one
-   * thread. Collective if space is partitioned: results then hold in the leaves of this rank, and
-   * sides also in the leaves around them. */
+  /** Places the target at the end of a motion; displacements start at its beginning. Called by one
+   * thread. Collective if space is partitioned: results are then valid in the leaves of this rank,
+   * and sides also in the leaves around them. */
   virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
   /** Finds the shell of the placed target, and the inside leaves if wanted. */

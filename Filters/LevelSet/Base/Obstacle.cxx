@@ -22,19 +22,19 @@ namespace
 {
 
 constexpr int NodesOfLeaf = 512;
-constexpr float Nowhere = -1e6f; // depth where the obstacle does not count
+constexpr float Nowhere = -1e6f; // depth where the obstacle has no effect
 
 openvdb::Coord ToCoord(const std::array<int, 3>& node)
 {
   return openvdb::Coord(node.data());
 }
 
-/** The nodes around a coordinate along one axis; one that is a node but for rounding has that one.
- */
+/** The nodes around a coordinate along one axis. A coordinate within rounding of a node is that
+ * node. */
 struct Neighbours
 {
   int Lower;
-  double Fraction; //< of the way to the next one
+  double Fraction; //< position between Lower (0) and the next node (1)
 
   explicit Neighbours(double place)
   {
@@ -48,7 +48,7 @@ struct Neighbours
 
 }
 
-/** Active: known; tiles: leaves where the obstacle does not count. */
+/** Active nodes and tiles are known; in the tiles the obstacle has no effect. */
 struct Obstacle::SampledDepths
 {
   openvdb::FloatTree::Ptr Tree = std::make_shared<openvdb::FloatTree>(Nowhere);
@@ -72,7 +72,7 @@ float Obstacle::ToDepth(double distance) const
   return depth > -Reach ? static_cast<float>(std::min(depth, double(Reach))) : Nowhere;
 }
 
-/** False where the function is not a number. */
+/** Returns false if the function is NaN at a node. */
 bool Obstacle::SampleLeaf(const LeafOrigin& origin, float* depths) const
 {
   double points[3 * NodesOfLeaf], distances[NodesOfLeaf];

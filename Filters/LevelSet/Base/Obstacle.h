@@ -45,14 +45,14 @@ public:
   bool IsKnown(const LeafOrigin& origin) const;
 
   /** Returns the depths [voxels] at the 512 nodes of a sampled leaf, or null if the obstacle has no
-   * effect at any of them. Nodes without effect have a depth below all values of the band. */
+   * effect at any of them. The depth of a node without effect is below all values of the band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
   /** Returns the depth at a point [world units], interpolated linearly between nodes; -infinity
-   * where the obstacle has no effect, and where the function is not a number. */
+   * where the obstacle has no effect, and where the function is NaN. */
   double DepthAt(const double x[3]) const;
 
-  /** Throws std::runtime_error if the function was not a number at a node of a leaf. */
+  /** Throws std::runtime_error if the function was NaN at a node of a leaf. */
   void Check() const;
 
 private:

@@ -1,6 +1,6 @@
 #include "Base/OpenVDB.h"
 
-// Functions that are not virtual and too long to be inlined everywhere.
+// Functions of grids that are neither virtual nor short enough to be inlined everywhere.
 #define OpenVDB_Define(Name)                                                                       \
   template openvdb::Grid<openvdb::Name>::Ptr openvdb::Grid<openvdb::Name>::create(                 \
     openvdb::Name::Ptr);

@@ -1,5 +1,6 @@
 /**
- * OpenVDB, with its templates visible beyond this library; all else in this library is hidden.
+ * OpenVDB, with its templates visible beyond this library; everything else in this library is
+ * hidden.
  *
  * OpenVDB's grids keep static members, and flags for single calls, in templates. A program must
  * have one copy of each. If members were hidden and flags were not, the first library to call would
@@ -26,7 +27,7 @@
   X(Vec3DTree)                                                                                     \
   X(Vec3ITree)
 
-// The functions of a grid take ten seconds to compile. OpenVDB's library has the virtual functions,
+// The functions of a grid need ten seconds to compile. OpenVDB's library has the virtual functions,
 // compiled for the types that it registers. Other functions are inlined or are in OpenVDB.cxx.
 // Where too few are inlined, ACTIVE_COMPILE_GRIDS compiles all of them.
 #define OpenVDB_Declare(Name)                                                                      \

@@ -27,7 +27,7 @@ double SumSeries(double x)
 
 double Exponential(double x)
 {
-  constexpr double largest = 800.0; // beyond, e^x is 0 or infinite
+  constexpr double largest = 800.0; // beyond this, e^x is 0 or infinite
   // ln 2 in two parts. The first has so few bits that its multiples are exact.
   constexpr double high = 0x1.62e42feep-1, low = 0x1.a39ef35793c76p-33;
   const double limited = std::min(std::max(x, -largest), largest);
@@ -55,7 +55,7 @@ double CubeRoot(double x)
   const double fraction = std::frexp(std::fabs(x), &exponent);
   const int whole = static_cast<int>(std::floor(exponent / 3.0));
   const double part = std::ldexp(fraction, exponent - 3 * whole); // in [1/2, 4)
-  double root = .65 + .26 * part;                                 // to 10 %
+  double root = .65 + .26 * part;                                 // accurate to 10 %
   for (int n = 0; n < 5; ++n)
   {
     root -= (root - part / (root * root)) / 3.0; // Newton's method

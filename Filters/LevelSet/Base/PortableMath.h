@@ -1,7 +1,7 @@
 /**
- * Exponentials and roots by additions, multiplications and divisions only: all processors give the
- * same bits. C libraries differ in the last bit, once in a thousand calls, with the processor's
- * instructions and the library's release.
+ * Exponentials and roots by additions, multiplications and divisions only, so results are bitwise
+ * identical on all processors. C libraries differ in the last bit, once in a thousand calls, with
+ * the processor's instructions and the library's release.
  */
 #ifndef PortableMath_h
 #define PortableMath_h
@@ -11,13 +11,13 @@
 namespace activesurface
 {
 
-/** e^x, to 1e-15 of its value. */
+/** Returns e^x with a relative error of 1e-15. */
 ACTIVELEVELSET_EXPORT double Exponential(double x);
 
-/** e^x - 1, to 1e-15 of its value even near 0. */
+/** Returns e^x - 1 with a relative error of 1e-15, even near 0. */
 ACTIVELEVELSET_EXPORT double ExponentialMinusOne(double x);
 
-/** To 1e-15 of its value. */
+/** Returns the cube root with a relative error of 1e-15. */
 ACTIVELEVELSET_EXPORT double CubeRoot(double x);
 
 }

@@ -1,7 +1,7 @@
 /**
  * Release of trees at the end of a program. OpenVDB frees trees by means of TBB, but ParaView
  * deletes its objects after TBB's static objects are destroyed. Freeing a tree then would abort a
- * program whose work is done.
+ * finished program.
  */
 #ifndef StaticShutdown_h
 #define StaticShutdown_h
@@ -13,7 +13,7 @@
 namespace activesurface
 {
 
-/** Releases an object that may hold a tree. During static destruction the object is leaked. */
+/** Releases an object that may own a tree. During static destruction the object is leaked. */
 ACTIVELEVELSET_EXPORT void ReleaseUnlessExiting(std::shared_ptr<const void> holder);
 
 }

@@ -66,7 +66,7 @@ public:
   }
 
   ///@{
-  /** Visits regions by sources, for example particles, with any number of boxes each. first, end:
+  /** Visits regions by source, for example by particle, with any number of boxes each. first, end:
    * the sources from first to end - 1. Thread-safe. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
@@ -84,8 +84,8 @@ public:
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
-  /** Returns this target at lattice nodes, for TimeIntegration::Nodes; null if there is no such
-   * form. */
+  /** Returns this target at lattice nodes, for TimeIntegration::Nodes; null if it has no such form.
+   */
   virtual NodeTarget* GetNodes() { return nullptr; }
 
   /** Returns true if several threads may call Evaluate at once. */

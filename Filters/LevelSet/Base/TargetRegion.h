@@ -1,6 +1,4 @@
-/**
- * Places where the surface of a function can be: boxes, or the connected parts of a shape.
- */
+/** Regions that may contain the surface of a function: boxes, or the connected parts of a shape. */
 #ifndef TargetRegion_h
 #define TargetRegion_h
 
@@ -10,12 +8,12 @@ namespace activesurface
 {
 
 /**
- * Nodes at which a region compares the target with the skin, to find a part of the target that the
- * skin does not reach, or a hollow. AllNodes: all nodes of the leaves that the box touches. Centre:
- * the centre of the box, which the part or hollow contains. PartAtCentre and HollowAtCentre: the
- * centre, only for parts or only for hollows. Particles use the last two: a part is searched for in
- * a particle, a hollow next to a particle. They cost no evaluation if the skin contains the centre
- * of PartAtCentre, or does not contain that of HollowAtCentre.
+ * Nodes at which a region compares the target with the skin, to find a hollow, or a part of the
+ * target that the skin does not reach. AllNodes: all nodes of the leaves that the box touches.
+ * Centre: the centre of the box, which the part or hollow contains. PartAtCentre and
+ * HollowAtCentre: the centre, only for parts or only for hollows. Particles use the last two: a
+ * part is searched for in a particle, a hollow next to a particle. They cost no evaluation if the
+ * skin contains the centre of PartAtCentre, or does not contain the centre of HollowAtCentre.
  */
 enum class RegionSeeds
 {

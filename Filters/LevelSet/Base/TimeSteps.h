@@ -20,8 +20,8 @@ struct StepOfTime
 
 /**
  * Finds the step of a time. steps: ascending, at least one. A time before the first step gives the
- * first step, a time after the last step the last one. A time nearer to a step than a millionth of
- * the interval gives that step, so that rounding (.1 + .2 for .3) does not miss it.
+ * first step, a time after the last step the last one. A time closer to a step than a millionth of
+ * the interval gives this step, so that rounding (0.1 + 0.2 for 0.3) does not miss it.
  */
 ACTIVELEVELSET_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
 

@@ -10,8 +10,8 @@ namespace activesurface
 /** Layout of the eight values: corner c = 4 i + 2 j + k of a voxel, i j k in {0,1}. */
 constexpr int CornersOfCell = 8;
 
-/** Interpolates from a (t = 0) to b (t = 1): exact at both ends, and of their sign if they agree.
- */
+/** Interpolates from a (t = 0) to b (t = 1): exact at both ends. The result has the sign of a and b
+ * if their signs agree. */
 inline double Between(double a, double b, double t)
 {
   return (1.0 - t) * a + t * b;

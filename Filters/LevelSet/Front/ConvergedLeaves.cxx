@@ -34,8 +34,10 @@ double SpeedOfVoxel(const ConvergenceRule& rule)
   return rule.VoxelSize * rule.Parameters.Attraction * rule.TargetSlope;
 }
 
-/** Tests the box on which the speeds of a leaf depend. Its edges end in the next leaves, whose
- * nodes have edges, too. */
+/**
+ * Returns true if the target may have changed in the box that determines the speeds of a leaf. The
+ * edges of the leaf end in the next leaves, whose nodes have edges, too.
+ */
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {
   double bounds[6];

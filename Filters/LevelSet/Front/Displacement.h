@@ -1,6 +1,7 @@
 /**
- * Measures the displacement of the surface, which detects a steady state. Speeds at the nodes do
- * not: under tension, nodes off the surface keep changing while the surface stands still.
+ * Measures the displacement of the surface, which detects a steady state. Speeds at the nodes
+ * cannot detect it: under tension, nodes off the surface keep changing while the surface stands
+ * still.
  */
 #ifndef Displacement_h
 #define Displacement_h
@@ -69,14 +70,14 @@ public:
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
    * window. Either a fraction of at most FewMoving moved, at least half of the fraction in the
-   * window before. Or the mean displacement was at most 0.25 voxel, and 0.5 to 1.25 of that in
-   * the two windows before. */
+   * window before. Or the mean displacement was at most 0.25 voxel, and 0.5 to 1.25 of the mean
+   * displacement in the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
-  /** The fraction that moved in the last window; NaN before the end of the first window. */
+  /** Fraction that moved in the last window; NaN before the end of the first window. */
   double GetShare() const { return this->Share; }
 
-  /** The mean displacement of the surface in the last window [voxels]. */
+  /** Mean displacement of the surface in the last window [voxels]. */
   double GetMean() const { return this->Mean; }
 
 private:

@@ -21,11 +21,13 @@ constexpr double Precision = 1e-9; // relative
 // Lengths in voxels.
 constexpr double Farthest = 2.0 / (3.0 * 1.7320508075688772); // per displacement, as for a substep
 constexpr double FarthestInAll = 1.5;
-constexpr double Noticeable = 1e-5; // below, rounding of the potential spoils a measured rate
+constexpr double Noticeable = 1e-5; // below, a measured rate is mostly rounding
 
-/** |grad u| of a row by central differences, which balance those of tension, limited to a tenth
- * around upwind differences. Central differences amplify noise if they are not limited, and a
- * steep fold next to a crease grows without bound. */
+/**
+ * |grad u| of a row by central differences, like those of tension, limited to a tenth around upwind
+ * differences. Without limits they amplify noise, and a steep fold next to a crease grows without
+ * bound.
+ */
 ACTIVE_ALWAYS_INLINE void DisplacedSlopes(const float* u, float direction, float* slopes)
 {
   constexpr RowMask unrelaxed{};

@@ -20,19 +20,16 @@ struct SubstepBuffers;
 struct ControlledBand
 {
   LeafTable& Leaves;
-  ActiveSet& Set; //< capacity for all leaves, which each displacement moves
+  ActiveSet& Set; //< capacity for all leaves, because each displacement moves all
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< rebuilds layers and ghosts from the potential
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< of a voxel and a half each, for long substeps
+  int Rounds = 1; //< of up to 1.5 voxels each, for long substeps
 };
 
-/**
- * Moves the surface until the volume is restored to 1e-9, but by at most a voxel and a half per
- * round.
- */
+/** Moves the surface until the volume is restored to 1e-9, but by at most 1.5 voxels per round. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** Restores the area by the secant method: the gain of area per displacement may have either

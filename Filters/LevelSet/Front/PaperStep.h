@@ -6,7 +6,7 @@
  *   threshold.
  * - The target at a node with crossed edges is the plain mean at their crossings (4.3). At other
  *   nodes it is evaluated at the node itself.
- * - Curvature (5) and gradient by central differences, the curvature at most 4 per voxel.
+ * - Curvature (5) and gradient use central differences; the curvature is at most 4 per voxel.
  * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = phi / 3 h is
  *   the paper's potential. (7) has no consistent unit; it is evaluated in a box of unit size.
  * - The gradient norm is not maintained.
@@ -44,8 +44,8 @@ double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize
 /** Sets Next from the complete speed. advection: dt / h. */
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers);
 
-/** Finds the layers, then activates and deactivates nodes. Active has to hold the active nodes
- * before the substep. */
+/** Finds the layers, then activates and deactivates nodes. Active has to be the active nodes before
+ * the substep. */
 void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
 /** Prepares a band of this library's scheme for RebuildPaperBand, or one of the paper's scheme

@@ -162,7 +162,7 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
     u, [tension](int) ACTIVE_INLINED { return tension; }, next);
 }
 
-/** Bound on |u| [voxels] of a sound potential; no single operation on smaller values overflows. */
+/** Limit of |u| [voxels]: no single operation on smaller values overflows. */
 constexpr float UnboundedPotential = 1e12f;
 
 /** Returns nonzero if |u| of one of these nodes reaches UnboundedPotential or is NaN. */

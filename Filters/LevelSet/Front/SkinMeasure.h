@@ -38,11 +38,11 @@ struct SkinSums
   SkinMeasure Get() const { return { this->Area.Get(), this->Volume.Get() }; }
 };
 
-/** Sums over the leaves of this rank. Their volume is that of a closed surface once the sums of all
- * ranks are added up. */
+/** Sums over the leaves of this rank. The volume is valid only as a total over all ranks, because
+ * only the whole surface is closed. */
 SkinSums SumSkin(const LeafTable& table);
 
-/** Measures of a band that is whole here, in voxels. */
+/** Measures of a band that this rank owns entirely, in voxels. */
 inline SkinMeasure MeasureSkin(const LeafTable& table)
 {
   return SumSkin(table).Get();

@@ -1,8 +1,8 @@
 /**
  * Visits the voxels that the surface crosses, leaf by leaf, and their crossed edges.
  *
- * The voxels of a leaf are those whose lower corner is in the leaf. Their corners are the nodes
- * 0..8 along each axis; the last ones belong to the next leaves.
+ * A leaf has the voxels whose lower corner is in the leaf. Their corners are the nodes 0..8 along
+ * each axis; the last ones belong to the next leaves.
  */
 #ifndef SkinVoxels_h
 #define SkinVoxels_h
@@ -180,7 +180,7 @@ ACTIVE_ALWAYS_INLINE void ForEachCrossedEdge(
       : table[i].Neighbour[NeighbourNumber(next[0], next[1], next[2])];
     for (int axis = 0; axis < 3 && owner >= 0; ++axis)
     {
-      if (next[axis] == 0) // otherwise the edge leaves the voxels at the last corner
+      if (next[axis] == 0) // otherwise the edge is beyond the last corner
       {
         ForEachEdgeOfOwner(table, owner, axis, next, function);
       }

@@ -43,8 +43,10 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, un
   }
 }
 
-/** Finds the speed of the surface at the nodes of crossed edges. The first row is usually fast
- * enough to decide for a moving surface. */
+/**
+ * Finds the speed of the surface at the nodes of crossed edges. If the surface moves, the first row
+ * is usually fast enough to decide.
+ */
 struct FindRate
 {
   LeafTable& Table;

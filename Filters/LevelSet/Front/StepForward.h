@@ -47,9 +47,9 @@ struct GradientCounts
   }
 };
 
-/** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes
- * of crossed edges. The target speeds there have to be valid. A speed above `enough` may be
- * that of any such node. coefficients: those of a step of length 1. */
+/** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of
+ * crossed edges. The target speeds there have to be valid. If the largest speed exceeds `enough`,
+ * any speed above `enough` may be stored. coefficients: those of a step of length 1. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 

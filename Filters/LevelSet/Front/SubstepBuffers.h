@@ -25,7 +25,7 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   if (room.capacity() < size)
   {
     std::vector<Value>().swap(room);
-    room.reserve(size + size / 8); // growing surfaces grow in small steps
+    room.reserve(size + size / 8); // avoids reallocation while a surface grows
   }
   room.resize(size);
 }

@@ -85,7 +85,7 @@ struct ApplyLeafSamples
   }
 };
 
-/** One sweep of the extension in one leaf: nodes that have a known neighbour become known. */
+/** One sweep of the extension in one leaf: nodes with a known neighbour become known. */
 class LeafExtension
 {
 public:
@@ -253,7 +253,7 @@ void ApplySamples(
   ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
 }
 
-// Extended speeds are means of known ones, so they are no larger.
+// Extended speeds are means of known speeds, so they are no larger.
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {

@@ -30,8 +30,8 @@ void ApplySamples(
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 
-/** Returns true for a cancelled attraction: a target out of reach pulls inward everywhere with
- * bitwise identical speed, which an exact control cancels. All leaves have to be sampled. */
+/** Returns true for a cancelled attraction: outside the target's support the speed is inward and
+ * bitwise identical everywhere, so an exact control cancels it. All leaves have to be sampled. */
 bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers);
 
 /** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */

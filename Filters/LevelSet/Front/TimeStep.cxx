@@ -78,7 +78,7 @@ double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& 
   return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
-// The rates of all terms are added; with only the largest the skin would flicker at a steady state.
+// Adds the rates of all terms; with only the largest the skin would flicker at a steady state.
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty)
 {

@@ -52,10 +52,10 @@ void CheckStep(double step, double voxelSize, double remaining);
 /** Throws std::runtime_error if a band has too many active nodes. */
 void CheckSize(std::size_t count, std::size_t maximum);
 
-/** Throws std::runtime_error if the potential would be unbounded after the substep that begins
- * at `time`. Called before the next potential is committed, so that the last one stays. One
- * check is enough: measures, output and displacements of a bounded potential are finite, and
- * the paper's scheme clamps. */
+/** Throws std::runtime_error if the potential would be unbounded after the substep that begins at
+ * `time`. Called before the next potential is committed, so that the last one stays. One check is
+ * enough: measures, output and displacements of a bounded potential are finite, and the paper's
+ * scheme clamps. */
 void CheckBounded(bool isUnbounded, double time);
 
 /** The factor from a speed to voxels per step. */

@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Positive beyond the walls or in the obstacle; -infinity if there is neither. */
+/** Positive beyond the walls or in the obstacle; -infinity without walls and obstacle. */
 double WalledTarget::DistanceBeyond(const double x[3]) const
 {
   const double walls = this->Box.Present ? DistanceToWalls(this->Box, x) : -HUGE_VAL;

@@ -2,10 +2,11 @@
  * Walls and obstacle: the surface stays inside the box and outside the obstacle.
  *
  * The target is cut off at walls and obstacle, so the surface stops by itself. Other motions
- * (Tension, controls) are stopped by clamping the potential at the distance to the walls or at the
- * obstacle's depth. Both are evaluated at the same nodes, so a steady surface stays steady. The
- * clamp without the cut ends in the same position. But then the speed of a surface pressed on a
- * wall stays large and limits the time step, which costs 3 to 15 times as many substeps.
+ * (Tension, controls) are stopped by clamping the potential to the distance to the walls and the
+ * obstacle's depth. Cut and clamp are evaluated at the same nodes, so a steady surface stays
+ * steady. The clamp without the cut ends in the same position. But then the speed of a surface
+ * pressed on a wall stays large and limits the time step, which costs 3 to 15 times as many
+ * substeps.
  */
 #ifndef WalledTarget_h
 #define WalledTarget_h

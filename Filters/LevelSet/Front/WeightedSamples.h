@@ -2,7 +2,7 @@
  * Means of the target's values on the crossed edges around each node of a leaf (the paper, 4.3).
  *
  * Each sample is weighted by 1/t^2, t = the fraction of its edge from the node to the crossing. If
- * the surface is a plane, the mean is the value at its closest point.
+ * the surface is a plane, the mean is the value at the point of the plane closest to the node.
  */
 #ifndef WeightedSamples_h
 #define WeightedSamples_h
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  static constexpr int MaximumEdges = 512 + 64; // that end in the leaf, on one axis
+  static constexpr int MaximumEdges = 512 + 64; // ending in the leaf, per axis
   static constexpr int Elsewhere = 512;         // stands for a node of another leaf
 
   /** A vector of edges: values at their ends, and the sample that both ends get. */

@@ -10,8 +10,8 @@ namespace activesurface
 {
 
 /**
- * Passes of a substep take this set as an argument. Leaves are identified by their numbers in the
- * table, so the set is valid until LeafTable::Rebuild.
+ * Argument of the passes of a substep. Leaves are identified by their numbers in the table, so the
+ * set is valid until LeafTable::Rebuild.
  */
 struct ActiveSet
 {

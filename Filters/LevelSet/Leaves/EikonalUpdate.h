@@ -32,13 +32,13 @@ ACTIVE_ALWAYS_INLINE UpwindTerm FirstOrderTerm(double a1)
   return { a1, 1.0 };
 }
 
-/** The term of second order if a2 <= a1, else of first order. */
+/** Returns the term of second order if a2 <= a1, otherwise the term of first order. */
 ACTIVE_ALWAYS_INLINE UpwindTerm SecondOrderTerm(double a1, double a2)
 {
   return a2 <= a1 ? UpwindTerm{ (4.0 * a1 - a2) / 3.0, 1.5 } : FirstOrderTerm(a1);
 }
 
-/** Solves for a with the smallest terms, as many as are smaller than a. Sorts the terms. */
+/** Solves for a. Uses, in ascending order, the terms whose values are below a. Sorts the terms. */
 ACTIVE_ALWAYS_INLINE double SolveEikonal(std::array<UpwindTerm, 3>& terms, int count)
 {
   for (int i = 1; i < count; ++i)

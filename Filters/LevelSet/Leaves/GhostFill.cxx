@@ -15,10 +15,6 @@ namespace activesurface
 namespace
 {
 
-/**
- * Extrapolation of |u| to the nodes of a layer from the layers inside; see GhostFill.h.
- */
-
 /** Weighted sums over the candidates for a node's value. */
 struct Candidates
 {
@@ -45,10 +41,11 @@ ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
   return std::max(first - second, 0.f);
 }
 
-/** Replaces the value of a node that must not be used. */
+/** Value of a node that must not be used. */
 constexpr float Missing = -std::numeric_limits<float>::infinity();
 
-/** The extrapolated |u| of the nodes of one layer in one leaf. */
+/** Extrapolates |u| to the nodes of one layer in one leaf, from the layers inside; see GhostFill.h.
+ */
 class LayerFill
 {
 public:
@@ -113,7 +110,8 @@ private:
       });
   }
 
-  /** Returns the mean over all candidates, where the three-point rays have too little weight. */
+  /** Returns the mean over all candidates, for nodes whose three-point rays have too little weight.
+   */
   float FindUncertain(int node) const
   {
     Candidates other = { 0.f, 0.f };
@@ -161,7 +159,7 @@ private:
   }
 
   ///@{
-  /** Returns |u| of a node of a smaller layer, else Missing. */
+  /** Returns |u| of a node of a smaller layer, otherwise Missing. */
   float At(const LeafTable::Place& place) const
   {
     const bool isInner =
@@ -198,7 +196,7 @@ private:
 };
 
 /** Nodes of a layer that the last substep has not updated: ghosts, and nodes that entered the band.
- * Only affected leaves can have the latter. */
+ * Only affected leaves can contain nodes that entered. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
   const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
@@ -214,7 +212,7 @@ struct FillLayer
 {
   LeafTable& Table;
   int Layer;
-  bool IsAffected; //< whether the leaves are affected
+  bool IsAffected; //< true if the leaves are affected
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {

@@ -1,16 +1,16 @@
 /**
  * Values of the ghosts, and of the nodes that entered the band, by extrapolation from inside.
  *
- * The layers are filled one after the other. A node of layer m uses only nodes of smaller layers,
- * so the order within a layer does not matter. a_i = |u_i| are the values along each of the six
+ * The layers are filled in ascending order. A node of layer m uses only nodes of smaller layers, so
+ * the order within a layer does not matter. a_i = |u_i| are the values along each of the six
  * directions in which three nodes of smaller layers exist:
  *
  *   a = a1 + g,  g = 2 (a1 - a2) - (a2 - a3) limited to [0, 2 (a1 - a2)],  weight g^2
  *
- * If the weights sum to less than 1 % of the largest (a1 - a2)^2, the rays of two nodes and the
- * corners of squares count too (LayerFill). Three points make tension converge; four would be
- * more exact but are unstable at a steady state. A node that enters the band was not updated by
- * this substep. Its old value would be an error of 0.1 %, so the node is filled too.
+ * The rays of two nodes and the corners of squares count too (LayerFill) if the weights sum to less
+ * than 1 % of the largest (a1 - a2)^2. Three points make tension converge; four would be more exact
+ * but are unstable at a steady state. A node that enters the band was not updated by this substep.
+ * Its old value would be an error of 0.1 %, so the node is filled too.
  */
 #ifndef GhostFill_h
 #define GhostFill_h

@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-constexpr int RowsWritten = 16; // 9 are used, 16 fill a vector
+constexpr int RowsWritten = 16; // 9 are used; 16 fill a vector
 constexpr int RowsRead = RowsWritten + 8;
 
 using RowBytes = std::array<std::uint8_t, 8>;

@@ -125,8 +125,8 @@ ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
   }
 }
 
-/** Sets nodes that have left the layers to the background, which the other nodes outside have
- * already. */
+/** Sets nodes that have left the layers to the background. Other nodes outside already have this
+ * value. */
 ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf)
 {
   leaf.HoldsStaleValue.Without(leaf.UpToLayer[LastLayer])
@@ -137,7 +137,7 @@ ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf
   leaf.HoldsStaleValue = leaf.UpToLayer[LastLayer];
 }
 
-/** Finds all data that follow from the layers. No leaf reads another leaf's results. */
+/** Derives all other data from the layers. No leaf reads another leaf's results. */
 struct UseLayers
 {
   LeafTable& Table;

@@ -68,7 +68,7 @@ struct LeafBlock
     }
   }
 
-  /** The row (x, y) of the leaf itself. */
+  /** Row (x, y) of the leaf itself. */
   const float* Row(int x, int y) const { return this->Value + PlaceOf(x, y); }
 
 private:

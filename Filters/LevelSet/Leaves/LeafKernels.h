@@ -10,8 +10,10 @@
 namespace activesurface
 {
 
-/** Prefetches the 512 numbers of the next leaf. Processors do not predict these reads: rows are
- * read out of order, and each leaf lies in a page of its own. */
+/**
+ * Prefetches the 512 numbers of the next leaf. Processors do not predict these reads: rows are read
+ * out of order, and each leaf is in a separate page.
+ */
 ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
 {
   constexpr int inALine = 16;

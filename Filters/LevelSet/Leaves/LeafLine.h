@@ -47,7 +47,7 @@ private:
   static constexpr int Planes = 8 + 2 * Farthest;
   static constexpr int Step = Stride(Axis);
 
-  const float* Plane[Planes]; //< first node of each plane, by its place along the axis
+  const float* Plane[Planes]; //< first node of each plane, by its offset along the axis
 };
 
 /** Returns the mask whose node n is set if `mask` has n + Steps along an axis. next: the mask of

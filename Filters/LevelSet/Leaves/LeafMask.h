@@ -3,7 +3,7 @@
  *
  * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, as in OpenVDB. A mask is
  * shifted by some nodes together with the mask of the neighbour leaf, which supplies the missing
- * planes. A whole leaf is dilated, compared or counted with a few dozen word operations.
+ * planes. A few dozen word operations dilate, compare or count a whole leaf.
  */
 #ifndef LeafMask_h
 #define LeafMask_h

@@ -74,7 +74,7 @@ void LeafTable::Rebuild(PotentialTree& tree)
   std::vector<PotentialLeaf*> nodes;
   tree.getNodes(nodes);
   std::vector<BandLeaf> leaves;
-  leaves.reserve(nodes.size() + nodes.size() / 8); // growing surfaces grow slowly
+  leaves.reserve(nodes.size() + nodes.size() / 8); // avoids reallocation while a surface grows
   leaves.resize(nodes.size());
   std::vector<LeafSummary> summaries;
   summaries.reserve(leaves.capacity());
@@ -105,7 +105,7 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     }
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
-    this->Summaries.resize(i + 1); // first, as memory may end
+    this->Summaries.resize(i + 1); // first, because it may run out of memory
     this->Summaries[i].IsForeign = this->IsForeign(origin);
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
     this->AddToIndex(i);

@@ -25,7 +25,7 @@ namespace activesurface
 using PotentialTree = openvdb::FloatTree;
 using PotentialLeaf = PotentialTree::LeafNodeType;
 
-/** Number of a neighbour without a leaf: all its nodes are on one side of the surface. */
+/** Number of a missing neighbour: all its nodes are on one side of the surface. */
 constexpr std::int32_t NoLeafOutside = -1;
 constexpr std::int32_t NoLeafInside = -2;
 
@@ -74,8 +74,8 @@ struct LeafSummary
   std::int32_t ActiveNodes = 0;
   std::int32_t ZeroNodes = 0; //< nodes of layer 0
   std::int32_t Crossings = 0;
-  bool IsUsed = false;    //< whether a node is in a layer or active
-  bool IsForeign = false; //< whether another rank owns it
+  bool IsUsed = false;    //< true if a node is in a layer or active
+  bool IsForeign = false; //< true if another rank owns it
 };
 
 struct BandLeaf
@@ -93,7 +93,7 @@ struct BandLeaf
   PotentialLeaf* Leaf = nullptr;
   openvdb::Coord Origin;
   std::array<std::int32_t, 27> Neighbour{};
-  std::uint32_t MissingNeighbours = 0; //< without a leaf, reached by a layer; one bit each
+  std::uint32_t MissingNeighbours = 0; //< reached by a layer, but without a leaf; one bit each
 
   LeafMask Inside;                                //< u < 0
   std::array<LeafMask, NumberOfLayers> UpToLayer; //< nodes of the layers 0..m
@@ -114,10 +114,10 @@ LeafMask InsideNodes(const float* values);
 class LeafTable
 {
 public:
-  /** Sets the owners of the leaves; null: all leaves are this rank's. Precedes Rebuild. */
+  /** Sets the owners of the leaves; null: this rank owns all. Call before Rebuild. */
   void SetDomain(const Domain* domain) { this->Space = domain; }
 
-  /** Reads the leaves of the tree; keeps the data of leaves that the table had. */
+  /** Reads the leaves of the tree; keeps the data of leaves that were in the table. */
   void Rebuild(PotentialTree& tree);
 
   /** Adds missing leaves to the tree and the table; the numbers of other leaves do not change.
@@ -134,7 +134,7 @@ public:
   /** Returns these leaves and their neighbours. */
   LeafList FindAround(const LeafList& leaves) const;
 
-  /** Returns all leaves for which condition(i) holds. */
+  /** Returns all leaves for which condition(i) is true. */
   template <class Condition>
   LeafList FindAll(Condition&& condition) const
   {
@@ -188,7 +188,7 @@ public:
     return { side == 0 ? leaf : this->Leaves[leaf].Neighbour[FaceNumber(axis, side)], moved };
   }
 
-  /** Step for offsets of at most 8 on each axis (edge and corner neighbours included). */
+  /** Step for offsets of at most 8 on each axis (including edge and corner neighbours). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
   /** Calls function(i) for every leaf, in parallel. */

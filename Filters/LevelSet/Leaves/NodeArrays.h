@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** 512 numbers per leaf, in blocks of 64 KiB: small enough to use the heap's free memory. */
+/** 512 numbers per leaf, in blocks of 64 KiB, which fit into free memory of the heap. */
 class NodeArrays
 {
 public:

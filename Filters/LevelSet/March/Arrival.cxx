@@ -102,8 +102,10 @@ void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) co
   value = std::copysign(std::max(far, near), value);
 }
 
-/** Decrease of ln(remaining time) in each interval; distances fall by the same factor. The sum of
- * 10 would leave 1/22000 of the distances. */
+/**
+ * Decrease of ln(remaining time) in each interval; distances fall by the same factor. The sum of 10
+ * would leave 1/22000 of the distances.
+ */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
   .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };
 

@@ -4,7 +4,7 @@
  *
  * The speed of a part of the surface is its remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
- * distance along the part (Arrival/RemainingDistance.h), so that thin limbs grow evenly too.
+ * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too.
  * Attraction makes this speed. Its rate is constant in each of many short intervals, and distances
  * have fallen as required at the end of each interval.
  */
@@ -24,10 +24,12 @@ namespace activesurface
 class NarrowBand;
 struct SkinForces;
 
-/** Creates a small core for each part and each hollow of the target that the surface does not
- * reach. Precedes the first Advance. Parts that the target does not report are searched for within
- * the bounds (xmin xmax ymin ymax zmin zmax), on a lattice of at most 64 nodes along an axis.
- * Returns the number of created parts. */
+/**
+ * Creates a small core for each part and each hollow of the target that the surface does not reach.
+ * Call before the first Advance. Returns the number of created parts. Parts that the target does
+ * not report are searched for on a lattice of at most 64 nodes along an axis. bounds: box of this
+ * lattice (xmin xmax ymin ymax zmin zmax).
+ */
 ACTIVELEVELSET_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);
 

@@ -1,6 +1,6 @@
 /**
- * Nodes of a coarser lattice at which the surface and its target are on different sides, so that
- * the surface still has to move there.
+ * Nodes of a coarser lattice at which the surface and its target are on different sides: the
+ * surface still has to move there.
  *
  * Node (i,j,k) is at (i,j,k) * GetSpacing(). The search starts at the surface and follows connected
  * nodes along edges. Its cost is proportional to the volume between the surface and the target.
@@ -33,7 +33,7 @@ struct ArrivalSearch
   std::array<double, 6> Bounds; // xmin xmax ymin ymax zmin zmax
 };
 
-/** Maximum number of nodes of a lattice, which takes a fraction of a second. A lattice with more
+/** Maximum number of nodes of a lattice, which need a fraction of a second. A lattice with more
  * nodes is coarsened by factors of two, up to LargestStride. */
 constexpr std::size_t MostDifferingNodes = 400000;
 constexpr int LargestStride = 8;
@@ -46,11 +46,11 @@ public:
   struct Node
   {
     openvdb::Coord Place;
-    bool IsInside;   //< inside the surface, and so outside the target
+    bool IsInside;   //< inside the surface, and therefore outside the target
     double Distance; //< |F|
   };
 
-  /** stride: of the lattice, in voxels. The search stops slightly beyond `most` nodes. */
+  /** stride: stride of the lattice [voxels]. The search stops slightly beyond `most` nodes. */
   DifferingNodes(const ArrivalSearch& search, int stride, std::size_t most);
   DifferingNodes(const DifferingNodes&) = delete; // the accessor belongs to this tree
   void operator=(const DifferingNodes&) = delete;
@@ -71,9 +71,9 @@ public:
   /** Returns true if nodes may be missing because the maximum was exceeded. */
   bool IsCut() const { return this->Nodes.size() > this->Most; }
 
-  /** Returns true for a node on either side. */
+  /** Returns true for a differing node, on either side. */
   bool Has(const openvdb::Coord& place) { return this->Recent.getValue(place) >= 0; }
-  /** Returns the index of the next node along an axis if it is on the same side, else None. */
+  /** Returns the index of the next node along an axis if it is on the same side, otherwise None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);
 
   /** Returns u at a node [voxels], clamped to the spacing of the lattice. */

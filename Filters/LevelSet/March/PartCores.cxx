@@ -15,7 +15,7 @@ namespace
 
 constexpr double MostNodesPerAxis = 64.0;
 constexpr double SmallestCore = .75, LargestCore = 2.5; // radius [voxels]
-// Least depth of a region that surface and target share, from which a part can grow. The lattice
+// Least depth of a region common to surface and target from which a part can grow. The lattice
 // needs a thickness of two voxels.
 constexpr double LeastCommonDepth = 1.0; // [voxels]
 constexpr std::size_t MostCommonNodes = 100000;
@@ -60,9 +60,9 @@ public:
   }
 
 private:
-  /** Adds a core for each part that the surface touches only where surface and target overlap in a
-   * region too thin to grow from. Without a core the overlap would vanish together with the
-   * adjacent regions that only the surface has, and the part would never grow. */
+  /** Adds a core for each part that meets the surface only in a region too thin to grow from.
+   * Without a core, this overlap would vanish together with the adjacent regions that only the
+   * surface has. The part would then never grow. */
   void AddBarelyReached()
   {
     std::vector<char> isKnown(this->Known);
@@ -100,8 +100,8 @@ private:
     return part;
   }
 
-  /** Returns the node of a part in its innermost layer. Distances do not measure depth: far from
-   * a mesh they are all equal. */
+  /** Returns the node of a part in its innermost layer. Distances do not measure depth: far from a
+   * mesh they are all equal. */
   std::size_t FindDeepest(const std::vector<std::size_t>& part)
   {
     this->Layer.resize(this->Nodes.Size(), -1);
@@ -132,7 +132,7 @@ private:
     return reached.back();
   }
 
-  /** Returns true if surface and target share a region next to the part that is deep enough. */
+  /** Returns true if a region common to surface and target, next to the part, is deep enough. */
   bool HasCommonDepth(const std::vector<std::size_t>& part)
   {
     const bool areInside = !this->Nodes[part.front()].IsInside;
@@ -230,7 +230,7 @@ private:
   const ArrivalSearch& Search;
   DifferingNodes& Nodes;
   std::size_t Known = this->Nodes.Size(); //< number of nodes that have a core
-  std::vector<int> Layer;                 //< layer of a part's node, from the border; else -1
+  std::vector<int> Layer;                 //< layer of a part's node, from the border; otherwise -1
   std::vector<PartCore> Cores;
 };
 

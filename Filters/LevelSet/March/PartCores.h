@@ -20,8 +20,8 @@ struct PartCore
   bool IsHollow;
 };
 
-/** Returns a core for each part that the surface does not reach. Parts are those that the target
- * reports, and those found on a lattice of at most 64 nodes an axis. */
+/** Returns a core for each part that the surface does not reach: parts that the target reports, and
+ * parts found on a lattice of at most 64 nodes along an axis. */
 std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
 
 /** A target that consists only of the cores. */

@@ -42,7 +42,7 @@ public:
     this->Run(values, [](std::int32_t, Front&) {});
   }
 
-  /** Runs the march with exact distances around cores, where paths begin in all directions. The
+  /** Runs the march with exact distances around cores, where paths begin in all directions: the
    * eikonal equation is inaccurate there. Returns y for each x. */
   std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
@@ -205,8 +205,8 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** Returns the excess length of the path from x to y over T(y) - T(x), if it is small: x is then
- * a bump on the surface. For a large excess x is beside the path, and the result is 0. */
+/** Returns the excess length of the path from x to y over T(y) - T(x), if it is small: x is then a
+ * bump on the surface. For a large excess x is beside the path, and the result is 0. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain
@@ -286,7 +286,7 @@ void RemainingDistance::Keep(DifferingNodes& nodes)
 }
 
 /** Continues the distance to the neighbours across the surface, from which the path is longer.
- * Interpolated values at the surface then lie between the two. */
+ * Interpolated values at the surface then are between the two distances. */
 void RemainingDistance::ExtendBehindSurface(
   const DifferingNodes& nodes, std::size_t i, double distance)
 {

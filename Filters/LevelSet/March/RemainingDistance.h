@@ -2,15 +2,18 @@
  * Remaining distance of the surface at a point, along paths between the surface and its target. A
  * path ends at the farthest point of the target that the surface reaches through the given point.
  *
- * With T(y) the distance of a node from the surface along such paths, and d(x,y) that of two nodes,
+ * T(y) is the distance of a node y from the surface along such paths, d(x,y) the distance between
+ * two nodes. The remaining distance at x is
  *
  *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
  *
- * K is T(y) - T(x) if y is reached through x, and smaller beside that path. A front of speed K /
- * (remaining time) is flat, however thin the part that it fills, and arrives everywhere at once. If
- * y is in the middle of a vanishing part, and d(x,y) is longer by less than a tenth, K is d(x,y).
- * Such a point x is a bump: it has to move farther than its neighbours, or it would grow. Near the
- * surface K is about |F| if the target is a distance.
+ * If the path to y passes through x, K is T(y) - T(x); beside that path K is smaller. A front of
+ * speed K / (remaining time) is flat in any thin part that it fills, and arrives everywhere at
+ * once.
+ *
+ * Exception: K is d(x,y) if y is in the middle of a vanishing part, and d(x,y) is longer than T(y)
+ * - T(x) by less than a tenth. Such a point x is a bump: it has to move farther than its
+ * neighbours, or it would grow. Near the surface K is about |F| if the target is a distance.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h

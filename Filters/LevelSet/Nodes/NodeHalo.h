@@ -19,13 +19,13 @@ class Domain;
 class NodeHalo
 {
 public:
-  /** Collective. Removes other ranks' leaves from a shell, then appends those around this rank's
-   * space, without rows. Keeps the order of own leaves and returns their number. Without a domain
-   * all leaves are own. */
+  /** Collective. Removes leaves of other ranks from a shell, then appends the halo: other ranks'
+   * leaves around this rank's partition, without rows. Keeps the order of own leaves and returns
+   * their number. Without a domain all leaves are own. */
   std::size_t Find(const Domain* domain, std::vector<ShellLeaf>& shell);
 
-  /** Collective. Replaces the numbers in other ranks' leaves by those of the owners. Does nothing
-   * without a domain. */
+  /** Collective. Replaces the numbers in halo leaves by those of the owners. Does nothing without a
+   * domain. */
   void Refresh(const NodeArrays& numbers) const;
 
 private:

@@ -22,16 +22,16 @@ namespace activesurface
 
 struct NodeLeaf : ShellLeaf
 {
-  /** Numbers of the 27 leaves around the leaf, by NeighbourNumber; NoLeafInside or NoLeafOutside
-   * where there is none. Set only for own leaves. */
+  /** Numbers of the 27 leaves around the leaf, by NeighbourNumber. Missing leaves are NoLeafInside
+   * or NoLeafOutside. Set only for own leaves. */
   std::array<std::int32_t, 27> Near;
 };
 
 class NodeLeaves
 {
 public:
-  /** own: number of this rank's leaves, which come first. isInside(origin): the side of a leaf that
-   * is not in the shell; called by several threads at once if isThreadSafe. */
+  /** own: number of this rank's leaves, which come first. isInside(origin): side of a leaf that is
+   * not in the shell; several threads call it at once if isThreadSafe. */
   template <class IsInside>
   void Adopt(
     const std::vector<ShellLeaf>& shell, std::size_t own, bool isThreadSafe, IsInside&& isInside)
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /** Returns the number of the leaf with an origin, or a negative number. */
+  /** Returns the number of the leaf at an origin, or a negative number. */
   std::int32_t Find(const NodeIndex& origin) const { return this->Numbers.Find(origin); }
   std::size_t Size() const { return this->Leaves.size(); }
   std::size_t GetOwn() const { return this->Own; }
@@ -115,8 +115,8 @@ private:
   IndexMap Numbers;
 };
 
-/** The numbers of a leaf and of W <= 4 nodes around the leaf, in rows of 16 along z that begin 4
- * nodes before the leaf. Nodes of missing leaves have + or - `outside`. */
+/** The numbers of a leaf and of W <= 4 nodes around the leaf. Rows of 16 along z begin 4 nodes
+ * before the leaf. Nodes of missing leaves have + or - `outside`. */
 template <int W>
 struct NodeBlock
 {

@@ -16,21 +16,25 @@ namespace
 constexpr int FewestStages = 4;
 
 /** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
- * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Those over 8 nodes do not
- * damp waves of 8 nodes: with more than half of the tension by them, stages are unstable. */
+ * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Differences over 8 nodes do
+ * not damp waves of 8 nodes: stages are unstable if they apply more than half of the tension. */
 constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
 
-/** Factor of the attraction within the noise: distances fall by a sixth in a frame at the usual
- * attraction. */
+/**
+ * Factor of the attraction within the noise. At the usual attraction, distances fall by a sixth per
+ * frame.
+ */
 constexpr float SlowShare = .03f;
-/** Full bodies: the bulk becomes full between FullFrom and FullTo. The noise of full bodies reaches
- * NoiseOfFull times as far, because the particles of a body agree on the surface. */
+/**
+ * Full bodies: the bulk becomes full between FullFrom and FullTo. The noise width of full bodies is
+ * NoiseOfFull times as large, because the particles of a body agree on the surface.
+ */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 /** If attraction and tension are out of balance by less than Imbalance times the noise, both are
  * reduced to SlowestShare of a. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
-/** Weight of tension per bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
+/** Weight of tension as a function of bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
 /** kappa |grad u| by differences over 2 S nodes, clamped to +-1; 0 where the gradient vanishes. */
@@ -85,7 +89,7 @@ struct DistanceKernel
   }
 };
 
-/** One of Count stages. W: number of nodes to either side that the widest differences read. */
+/** One of Count stages. W: number of nodes that the widest differences read on either side. */
 template <int W>
 struct StageKernel
 {
@@ -93,8 +97,8 @@ struct StageKernel
   const StageCoefficients& Law;
   int Count;
 
-  /** Finds the tension of all rows first. The second loop is a chain of divisions; its iterations
-   * are short, so that the processor overlaps several rows. */
+  /** Finds the tension of all rows first. The second loop is a chain of divisions. Its short
+   * iterations let the processor overlap several rows. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     if (this->Fields.IsFar[i])
@@ -189,7 +193,7 @@ private:
     {
       this->Slow(u, miss, pull, bulk, rate, lambda);
     }
-    // Exponential Euler: exact without tension, and in a steady state. e^x is 1 + x series.
+    // Exponential Euler: exact without tension, and at a steady state. e^x is 1 + x series.
     const Lanes x = AllLanes(share) * rate * lambda;
     const Lanes series =
       one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)));
@@ -198,14 +202,14 @@ private:
     return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
   }
 
-  /** Reduces the attraction within the noise of a body. Reduces attraction and tension together
-   * where they nearly balance, so that fixed points stay. */
+  /** Reduces the attraction within the noise of a body. Reduces attraction and tension by the same
+   * factor where they nearly balance, so that fixed points stay. */
   ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
     const Lanes& bulk, Lanes& rate, Lanes& lambda) const
   {
     const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes body = Least(bulk + bulk, one);
-    // Off the skin the slope of u is not 1, and frames differ by more.
+    // Away from the skin the slope of u is not 1, and frames differ more.
     const Lanes noise =
       (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
@@ -219,7 +223,7 @@ private:
   /** Returns q^4 / (1 + q^4) for q = a / b. */
   static ACTIVE_ALWAYS_INLINE Lanes Step(const Lanes& a, const Lanes& b)
   {
-    constexpr float least = 1e-30f; // where b^4 underflows
+    constexpr float least = 1e-30f; // avoids underflow of b^4
     const Lanes a2 = a * a, b2 = b * b, a4 = a2 * a2;
     return a4 / (a4 + Largest(b2 * b2, AllLanes(least)));
   }

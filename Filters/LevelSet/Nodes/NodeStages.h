@@ -25,7 +25,7 @@ struct StageCoefficients
   float Decay = 0.f;       //< a, > 0
   float Tension = 0.f;     //< b, >= 0
   float Noise = 0.f;       //< of the target's surface [voxels]; 0: none
-  bool IsWeighted = false; //< whether bulks weigh the tension; else g = 1
+  bool IsWeighted = false; //< if bulks weigh the tension; otherwise g = 1
 };
 
 /** Bulk in [0,1] at the points of a LeafMotion. */
@@ -36,8 +36,7 @@ struct NodeFields
   const NodeLeaves& Leaves;
   const NodeArrays& Psi;
   const std::vector<LeafBulk>& Bulk;
-  const std::vector<char>&
-    IsFar; //< leaves that do not change: Potential, Room and Psi have equal values
+  const std::vector<char>& IsFar; //< unchanged leaves: Potential = Room = Psi
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
   const NodeHalo& Halo;

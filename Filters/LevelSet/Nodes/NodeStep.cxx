@@ -19,7 +19,7 @@ namespace
 /** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
-/** Leaves in which no particle moves keep their bytes if they change by less than this times
+/** Leaves without moving particles stay bitwise identical if they change by less than this times
  * Attraction dt [voxels]. */
 constexpr float RestingChange = 3e-4f;
 

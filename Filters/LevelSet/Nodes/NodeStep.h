@@ -2,8 +2,8 @@
  * A frame of the node scheme. The motion of the target carries the potential. The target is
  * evaluated once, at the nodes near its surface. Stages move the potential towards the target.
  *
- * No iteration, extension or search is needed. Where the target has a new part, psi is negative and
- * a part appears; where a part of the target has gone, the skin ends.
+ * The scheme needs no iteration, extension or search. Where the target has a new part, psi is
+ * negative and the part appears. Where the target has lost a part, the skin disappears.
  */
 #ifndef NodeStep_h
 #define NodeStep_h
@@ -34,8 +34,10 @@ struct NodeFrame
 class NodeStep
 {
 public:
-  /** Returns a tree with the potential at the end of the frame. Throws std::runtime_error beyond
-   * the maximum of active voxels, or if the obstacle is NaN. Keeps its memory. */
+  /**
+   * Returns a tree with the potential at the end of the frame. Throws std::runtime_error beyond the
+   * maximum of active voxels, or if the obstacle is NaN. Buffers are kept for the next call.
+   */
   openvdb::FloatTree::Ptr Make(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 
   /** Returns the number of nodes at which the last frame evaluated the target. */
@@ -63,7 +65,7 @@ private:
   NodeLeaves Leaves;
   NodeArrays Potential, Room, Psi;
   std::vector<LeafBulk> Bulk;
-  std::vector<LeafMotion> Motions; //< of each leaf, if other ranks have some old leaves
+  std::vector<LeafMotion> Motions; //< of each leaf, if other ranks own some old leaves
   std::vector<char> IsStill;       //< leaves in which the target has not moved
   std::vector<char> IsFar;         //< leaves far from the target and from the skin
 };

@@ -69,11 +69,11 @@ struct OldPotential
 {
   const LeafTable& Leaves;
   const PotentialTree& Tree;
-  const Domain* Space = nullptr; //< partition of the last frame; null: all leaves are here
+  const Domain* Space = nullptr; //< partition of the last frame; null: this rank has all leaves
   FetchedLeaves* Fetched = nullptr;
 
   /** Collective. Requests leaves of other ranks from their owners. wanted: origins; own leaves are
-   * ignored. Does nothing if all leaves are here. */
+   * ignored. Does nothing if this rank has all leaves. */
   void Fetch(const std::vector<NodeIndex>& wanted);
 
   OldLeaf FindLeaf(const NodeIndex& origin) const

@@ -13,7 +13,7 @@ namespace
 
 constexpr const char* MemoryHasEnded = "There is not enough memory.";
 
-/** Sent in place of a number >= 0 at the beginning of an operation. */
+/** Flags sent instead of a number >= 0 at the beginning of an operation. */
 enum State : std::int64_t
 {
   Stopping = -1,
@@ -61,8 +61,8 @@ std::vector<std::int64_t> Agreement::Begin(std::int64_t own) const
   return all;
 }
 
-// The buffers of a large message may exhaust the memory of one rank, so ranks begin again after
-// their allocation.
+// The buffers of a large message may exhaust the memory of one rank, so ranks check for failures
+// again after their allocation.
 std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
 {
   constexpr std::int64_t much = std::int64_t(1) << 20;

@@ -1,10 +1,10 @@
 /**
  * Collective operations of ranks that also agree on failure and on stopping.
  *
- * All ranks call the same operations in the same order. A rank that has failed calls Fail in place
- * of the next operation, whichever that is. That operation then throws RankError with the same
- * message on all ranks, so no rank waits for a failed one. A rank whose process has ended cannot
- * call Fail; MPI has to detect that.
+ * All ranks call the same operations in the same order. A rank that has failed calls Fail instead
+ * of the next operation. That operation then throws RankError with the same message on all ranks,
+ * so no rank waits for a failed one. A rank whose process has ended cannot call Fail; MPI has to
+ * detect that.
  */
 #ifndef Agreement_h
 #define Agreement_h
@@ -95,10 +95,12 @@ public:
 
   /** Replaces the operation that the other ranks call. Throws RankError on all ranks, with the
    * message of the lowest rank that failed. The number of that rank precedes the message, unless
-   * all ranks have failed with the same one. */
+   * all ranks have failed with the same message. */
   [[noreturn]] void Fail(const std::string& sentence) const;
-  /** Fails because memory has ended. Throws RankMemoryError on all ranks, unless a lower rank has
-   * failed for another reason. */
+  /**
+   * Fails because memory is exhausted. Throws RankMemoryError on all ranks, unless a lower rank has
+   * failed for another reason.
+   */
   [[noreturn]] void FailForMemory() const;
 
 private:
@@ -109,8 +111,8 @@ private:
 };
 
 /** Runs a task on every rank. The task may call collective operations. An exception on one rank
- * becomes a RankError on all ranks. Ranks wait for each other at the end; otherwise a late error of
- * one rank would find the others gone. */
+ * becomes a RankError on all ranks. Ranks wait for each other at the end, so that no rank has left
+ * before a late error of another. */
 template <class Task>
 void RunTogether(const Agreement& ranks, Task&& task)
 {

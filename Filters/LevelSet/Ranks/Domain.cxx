@@ -41,7 +41,7 @@ double Sum(Iterator begin, Iterator end)
     begin, end, 0.0, [](double sum, const LeafCost& leaf) { return sum + leaf.Cost; });
 }
 
-/** Samples sorted costs at equal steps: returns at most `most` leaves of one cost. */
+/** Selects sorted costs at equal steps: returns at most `most` leaves of one cost. */
 std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 {
   const double each = Sum(costs.begin(), costs.end()) / static_cast<double>(most);
@@ -80,7 +80,7 @@ std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<
 }
 
 // Cuts the costs between the ranks below and from `middle` on. The plane is normal to the longest
-// side of the costs' box; it divides the costs as nearly as possible in the ratio of the ranks.
+// side of the costs' box. It divides the costs as nearly as possible in the ratio of the ranks.
 void Domain::Divide(CostIterator begin, CostIterator end, int first, int last)
 {
   const int middle = first + (last - first) / 2;
@@ -189,7 +189,7 @@ std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore
   first.reserve(count + 1);
   for (std::size_t rank = 0; rank < count; ++rank)
   {
-    // all * rank / count, without the product of all and rank.
+    // Computes all * rank / count without overflow of all * rank.
     const std::size_t share = all / count * rank + all % count * rank / count;
     const auto found = std::lower_bound(costsBefore.begin(), costsBefore.end(), share);
     first.push_back(static_cast<std::size_t>(found - costsBefore.begin()));

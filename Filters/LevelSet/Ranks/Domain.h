@@ -17,9 +17,9 @@
 namespace activesurface
 {
 
-/** costsBefore: of each leaf the costs of all leaves before it, and at the end those of all.
- * Returns the first leaf of each rank, and at the end the number of leaves. A range differs from
- * its even share by less than the costs of one leaf at each of its ends. */
+/** costsBefore: for each leaf the costs of all leaves before it, and at the end the total. Returns
+ * the first leaf of each rank, and at the end the number of leaves. A range differs from an even
+ * share by less than the costs of one leaf at each of its ends. */
 std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);
 
 /** Cost of a leaf, in units of the cost of a particle. */
@@ -62,8 +62,8 @@ public:
   /** Replaces `others` by the other ranks that own neighbours of a leaf, ascending. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
-  /** Returns the rank that counts a leaf. Counters ascend in the order of the tree; they have about
-   * equally many of the sampled leaves. */
+  /** Returns the rank that counts a leaf. Counters ascend in the order of the tree, and count about
+   * equal numbers of the sampled leaves. */
   int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }
@@ -85,7 +85,7 @@ private:
   void Divide(CostIterator begin, CostIterator end, int first, int last);
 
   const Agreement Ranks;
-  std::vector<Cut> Cuts;         // of ranks [first, last): at the number of the middle one
+  std::vector<Cut> Cuts;         // of ranks [first, last): at the index of the middle rank
   std::vector<NodeIndex> Firsts; // first leaf of each counter but rank 0, in the order of the tree
 };
 

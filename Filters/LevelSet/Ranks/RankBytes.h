@@ -1,6 +1,6 @@
 /**
- * Numbers and plain structs as bytes that ranks send. All ranks have to run on machines of one
- * kind.
+ * Numbers and plain structs as bytes that ranks send. All ranks need machines of the same byte
+ * order and types.
  */
 #ifndef RankBytes_h
 #define RankBytes_h

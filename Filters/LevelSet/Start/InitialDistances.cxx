@@ -28,7 +28,7 @@ using Leaves = openvdb::tree::LeafManager<openvdb::FloatTree>;
 /** Evaluates the function at the active nodes of a leaf, times a scale. */
 void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf)
 {
-  constexpr double most = 1e6; // far from the surface functions may have any values
+  constexpr double most = 1e6; // far from the surface a function may have any values
   std::vector<openvdb::Coord> nodes;
   for (auto it = leaf.cbeginValueOn(); it; ++it)
   {
@@ -91,8 +91,9 @@ float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::Float
     : -1.f;
 }
 
-/** Replaces the distances from fast sweeping at the active nodes of `potential` by the function's
- * first-order distances, which are smoother, clamped to 0.5 to 1.5 times the swept distances. */
+/** Replaces the distances from fast sweeping at the active nodes of `potential`. The new values are
+ * the function's first-order distances, which are smoother, clamped to 0.5 to 1.5 times the swept
+ * distances. */
 void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
 {
   Leaves leaves(potential);
@@ -110,8 +111,8 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if a node is below -1e-8 * largest, with the largest value around. Fast
- * sweeping counts smaller magnitudes as zero, and refuses a function without other inside nodes. */
+/** Returns true if a node is below -1e-8 * largest, the largest value around. Fast sweeping treats
+ * smaller magnitudes as zero, and rejects a function without other inside nodes. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -152,7 +153,7 @@ struct Slab
 std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
 {
   constexpr int fewestLeaves = 1000;
-  constexpr int fewestPlanes = 6; // margins add four
+  constexpr int fewestPlanes = 6; // margins add four planes
   std::map<int, int> planes;      // leaves in each
   for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
   {

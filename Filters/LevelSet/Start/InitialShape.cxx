@@ -20,9 +20,9 @@ namespace activesurface
 namespace
 {
 
-/** Refuses too large boxes before sampling. In a box of n^3 voxels, a ball of .6 of its diameter
+/** Rejects too large boxes before sampling. In a box of n^3 voxels, a ball of 0.6 of its diameter
  * needs about 7 n^2 active voxels, and a ball that fills the box 20 n^2; the limit is 7 n^2. A box
- * is also refused if sampling its nodes would take minutes, as with a stray particle far from the
+ * is also rejected if sampling its nodes would take minutes, as with a stray particle far from the
  * others. */
 void CheckSize(const LatticeBox& box, std::size_t maximum)
 {
@@ -146,7 +146,7 @@ void AddCrossedVoxels(
   }
 }
 
-/** Finds the corners of all crossed voxels. Returns false if `progress` stopped it. */
+/** Finds the corners of all crossed voxels. Returns false if `progress` cancelled the search. */
 bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t maximum,
   const ProgressFunction& progress, CrossedNodes& crossed)
 {

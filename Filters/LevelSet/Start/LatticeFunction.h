@@ -32,8 +32,8 @@ public:
   }
 
   /**
-   * Evaluates the function at some nodes of the leaf at an origin. The other values of the 512 keep
-   * their contents.
+   * Evaluates the function at some nodes of the leaf at an origin. Other values of the 512 are
+   * unchanged.
    */
   void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
 

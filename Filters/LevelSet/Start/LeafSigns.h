@@ -60,7 +60,7 @@ public:
   std::int32_t Add(const openvdb::Coord& origin);
 
   /** Adds the leaves of all nodes in a region and of their neighbours, within the limits. Throws
-   * as RefuseManyLeaves does. */
+   * like RefuseManyLeaves. */
   void AddRegion(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
     std::size_t maximumNumberOfActiveVoxels);
 

@@ -22,9 +22,8 @@ namespace activesurface
 namespace
 {
 
-/** Number of node layers around a surface point's nearest node that contain all corners of
- * crossed voxels near the point. Both ends of each edge crossed within Reach are contained, and
- * one node more. */
+/** Number of node layers around a surface point's nearest node that contain all corners of crossed
+ * voxels near the point: both ends of each edge crossed within Reach, and one node more. */
 int FindRings(const SurfacePoints& surface, double voxelSize)
 {
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;

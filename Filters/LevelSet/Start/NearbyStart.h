@@ -12,7 +12,7 @@ namespace activesurface
 {
 
 /**
- * Equals MakeInitialPotential, at a cost proportional to the function's regions, whatever the
+ * Equals MakeInitialPotential, at a cost proportional to the function's regions, independent of the
  * bounds. The function is sampled in the leaves that the regions touch. Space outside the regions
  * is filled from inside nodes leaf by leaf, without evaluations.
  */

@@ -4,11 +4,11 @@
  *
  * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
  * skin reaches the nodes that are connected, along edges, with a node of layer 0, because its
- * sample points are there. It never reaches the others: the target repels the skin in the gap
+ * sample points are there. It never reaches the other nodes: the target repels the skin in the gap
  * between. These nodes are new parts and new voids. The search starts from the regions and follows
  * connected nodes. It also starts from parts of the input shapes that the skin does not meet at
  * all. A part that the skin meets is already partly covered. Voids have to be wide: Tension or the
- * lattice would close narrow ones, and the search would find them again.
+ * lattice would close narrow voids, and the search would find them again.
  */
 #ifndef NewParts_h
 #define NewParts_h
@@ -27,7 +27,7 @@ class NewParts
 {
 public:
   /** Searches the parts that the target reports. A target value of NaN has the sign of the
-   * potential. Throws as RefuseManyLeaves does. */
+   * potential. Throws like RefuseManyLeaves. */
   NewParts(const PartSearch& search, const Target& target);
 
   /** Adds the nodes that change sides: nodes inside the skin, or nodes outside. */

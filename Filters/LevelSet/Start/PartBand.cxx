@@ -22,10 +22,9 @@ namespace
  * Distances in the layers of a band, from its signs and a function.
  *
  * A distance is the function's first-order distance |F| / |grad F|, by central differences. It is
- * exact for distances and smooth where F is smooth. It is limited to half to one and a half times
- * the distance to the crossings on edges. An eikonal update (EikonalUpdate.h) propagates this
- * distance from node to node. A sweep uses only nodes of earlier sweeps, so the order within a
- * sweep does not matter.
+ * exact for distances and smooth where F is smooth. It is limited to 0.5 to 1.5 times the distance
+ * to the crossings on edges. An eikonal update (EikonalUpdate.h) propagates this distance from node
+ * to node. A sweep uses only nodes of earlier sweeps, so the order within a sweep does not matter.
  */
 class PartDistances
 {

@@ -54,7 +54,7 @@ LeafMask KnownNodes(const BandLeaf& leaf, bool hasGhosts)
   return hasGhosts ? leaf.Active : leaf.UpToLayer[LastLayer];
 }
 
-/** Calls visit(leaf) for the leaves that are packed. */
+/** Calls visit(leaf) for the packed leaves. */
 template <class Visit>
 void ForEachPacked(const LeafTable& table, bool hasForeign, Visit&& visit)
 {

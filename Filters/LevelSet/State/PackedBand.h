@@ -1,9 +1,9 @@
 /**
- * The state of a surface in few bytes, without loss: only data that cannot be recomputed.
+ * Lossless compact state of a surface: only data that cannot be recomputed.
  *
- * Stored are the signs and the known nodes as bits, and the magnitudes of the potential at known
- * nodes. The layers follow from the signs, bitwise. With ghosts the known nodes are the active
- * ones, and the ghosts follow from them. Without ghosts all nodes of the layers are known.
+ * It consists of the signs and the known nodes as bits, and the magnitudes of the potential at
+ * known nodes. The layers follow from the signs, bitwise. With ghosts the known nodes are the
+ * active nodes, and the ghosts follow from them. Without ghosts all nodes of the layers are known.
  */
 #ifndef PackedBand_h
 #define PackedBand_h
@@ -16,8 +16,10 @@
 namespace activesurface
 {
 
-/** Appends the leaves of this rank. Byte order and layout are those of the machine: the bytes are
- * for this process. */
+/**
+ * Appends the leaves of this rank. Byte order and layout are those of the machine, so the bytes are
+ * only for this process.
+ */
 void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 
 /** Returns the tree with its known nodes, and + or - the background elsewhere. parts: bytes of each

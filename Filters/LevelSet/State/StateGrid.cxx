@@ -21,8 +21,8 @@ constexpr const char* Names[] = { "active_voxel_size", "active_time", "active_st
   "active_start_volume", "active_box_size", "active_paper_scheme" };
 constexpr const char* WithoutGhosts = "active_without_ghosts"; // present only without ghosts
 
-/** Grids with smaller voxels get a transform of voxel size 1: OpenVDB refuses voxels below about
- * 1e-5. */
+/** Grids with smaller voxels get a transform of voxel size 1, because OpenVDB rejects voxels below
+ * about 1e-5. */
 constexpr double SmallestVoxel = 1e-4;
 
 double GetNumber(const openvdb::FloatGrid& grid, const char* name)

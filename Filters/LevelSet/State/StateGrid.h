@@ -9,8 +9,8 @@
 namespace activesurface
 {
 
-/** Throws std::runtime_error if the surface crosses an edge from a leaf to a tile, because the band
- * would grow along the whole tile, or if a leaf is beyond 2^30 nodes. */
+/** Throws std::runtime_error if the surface crosses an edge from a leaf to a tile: the band would
+ * grow along the whole tile. Also throws if a leaf is beyond 2^30 nodes. */
 void CheckTree(const openvdb::FloatTree& tree);
 
 /** Throws std::runtime_error: the saved state is damaged. */

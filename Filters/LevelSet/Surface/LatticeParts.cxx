@@ -89,8 +89,10 @@ private:
     }
   }
 
-  /** Adds the tiles in the box of all leaves and inside nodes; tiles beyond are background. A child
-   * of the root has 32^3 tiles, and eight such children meet at the origin. */
+  /**
+   * Adds the tiles in the box of all leaves and inside nodes; tiles outside the box are background.
+   * A child of the root has 32^3 tiles, and eight such children meet at the origin.
+   */
   void AddTiles(const openvdb::MaskTree& inside)
   {
     openvdb::CoordBBox all, leaves;
@@ -134,8 +136,8 @@ private:
     }
   }
 
-  /** Joins the components of a block with those across a face. A smaller block across the face
-   * joins them itself. */
+  /** Joins the components of a block with those across a face, unless the block across the face is
+   * smaller: then that block joins them. */
   void Connect(std::int32_t block, int axis, int sign)
   {
     const Block& own = this->Blocks[block];

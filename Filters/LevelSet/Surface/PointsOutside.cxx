@@ -25,7 +25,7 @@ using openvdb::Coord;
 using openvdb::Vec3d;
 using Tree = openvdb::FloatTree;
 
-// Not registered with the tree, so that each task can make one at low cost.
+// Not registered with the tree, so each task can create an accessor cheaply.
 using Reader = openvdb::tree::ValueAccessor<const Tree, false>;
 
 constexpr unsigned AllInside = 255;
@@ -34,7 +34,7 @@ constexpr unsigned AllInside = 255;
 struct VoxelCorners
 {
   double U[CornersOfVoxel];
-  unsigned Inside = 0; //< a bit for each corner
+  unsigned Inside = 0; //< one bit per corner
 
   VoxelCorners(Reader& potential, const Coord& lower)
   {

@@ -1,6 +1,4 @@
-/**
- * Points outside the surface, each by more than a distance of its own.
- */
+/** Counts points outside the surface, each by more than its own margin. */
 #ifndef PointsOutside_h
 #define PointsOutside_h
 
@@ -22,7 +20,7 @@ struct PointWithMargin
 
 /**
  * Returns the number of points that are outside and farther than their margins from all triangles
- * of the skin; without a surface all points are. Margins may be wider than the band. Points with
+ * of the skin. Without a surface all points count. Margins may be wider than the band. Points with
  * numbers that are not finite do not count.
  *
  * Reads one voxel of the potential for a point inside or far from the leaves, otherwise the voxels

@@ -86,10 +86,10 @@ private:
   bool IsInside[512];            //< side of the lower node
 };
 
-/** Returns the least distance of a vertex from the ends of its edge [voxels]. Where the potential
- * is 0 at a node, the vertices around the node would coincide, and triangles between them would
- * have no area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Twice that
- * distance keeps corners apart and triangles oriented when each corner is rounded by half of it. */
+/** Returns the least distance of a vertex from the ends of its edge [voxels]. If the potential is 0
+ * at a node, the vertices around the node would coincide, and triangles between them would have no
+ * area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Twice that distance
+ * keeps corners apart and triangles oriented when each corner is rounded by half of it. */
 template <class Number>
 double MarginOfVertices(std::int64_t farthestNode)
 {

@@ -3,8 +3,8 @@
  *
  * Each crossed lattice edge has one vertex, where the linear interpolation is zero, but at least
  * 2^-13 voxel from the nodes. Triangles are made voxel by voxel (see CubeTriangles.h). Only the
- * band is visited. Vertices and triangles are written in the order of the leaves, so the same
- * potential gives the same bytes.
+ * band is visited. Vertices and triangles are written in the order of the leaves, so equal
+ * potentials give bitwise identical skins.
  */
 #ifndef Skin_h
 #define Skin_h
@@ -39,8 +39,8 @@ public:
    * are disjoint, and together they are the whole skin. */
   std::vector<TriangleRange> ListTriangles(int rank, int ranks) const;
 
-  /** Returns the number of each vertex in the skin of all ranks; -1 for some vertices that no
-   * triangle of this rank has. */
+  /** Returns the number of each vertex in the skin of all ranks. The number may be -1 for a vertex
+   * without a triangle of this rank. */
   std::vector<std::int64_t> NumberVertices() const;
 
   /** Returns true if the surface is so far from the origin that single precision would move points
@@ -65,7 +65,7 @@ private:
   std::int64_t FarthestNode = 0; // largest magnitude of a leaf's coordinate
   std::size_t NumberOfPoints = 0;
   std::size_t NumberOfTriangles = 0;
-  std::vector<std::size_t> FirstTriangle; // of each leaf; at the end the number of all
+  std::vector<std::size_t> FirstTriangle; // of each leaf; the last entry is the total
 };
 
 }

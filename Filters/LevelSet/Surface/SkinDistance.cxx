@@ -22,7 +22,7 @@ namespace
 
 constexpr float LeastGradientNorm = .05f;
 
-// Not registered with the tree, so that each call can make one at low cost, from any thread.
+// Not registered with the tree, so each call can create an accessor cheaply, in any thread.
 using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
 /** Reads u one node farther along an axis. If that node is in the layers, increments steps. */
@@ -69,7 +69,7 @@ openvdb::CoordBBox CrossedNodes(const LeafTable& table)
 
 }
 
-// Two trees with the same leaves. Where there is no leaf, only the sign of the potential is read.
+// Two trees with the same leaves. Outside the leaves, only the sign of the potential is read.
 struct SkinDistance::State
 {
   explicit State(const NarrowBand& band)
@@ -89,7 +89,7 @@ struct SkinDistance::State
   PotentialTree Potential;
   PotentialTree GradientNorms;
   openvdb::CoordBBox Crossed; //< corners of the crossed voxels
-  openvdb::CoordBBox Leaves;  //< contains all that is inside
+  openvdb::CoordBBox Leaves;  //< contains everything inside
 };
 
 void SkinDistance::State::ReadLeaves(const LeafTable& table)

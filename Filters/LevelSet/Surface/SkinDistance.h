@@ -7,12 +7,11 @@
  *
  *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
  *
- * The value is a distance of first order: exact at the surface, good within about 1.5 voxels. Nodes
+ * The value is a first-order distance: exact at the surface, good within about 1.5 voxels. Nodes
  * beyond all layers count as u = +-HalfWidth with gradient norm 1; norms below 0.05 count as 0.05.
- * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13
- * voxel.
+ * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13 voxel.
  *
- * Evaluation takes constant time, allocates nothing and is thread-safe. Memory: two numbers for
+ * Evaluation needs constant time, allocates nothing and is thread-safe. Memory: two numbers for
  * each node of the band's leaves.
  */
 #ifndef SkinDistance_h

@@ -17,8 +17,8 @@ struct Family
   std::vector<double> After;
 };
 
-/** Sets of parts that neighbouring blocks connect. Parts of `after` are numbered behind `before`.
- */
+/** Sets of parts that neighbouring blocks connect. Numbers of parts of `after` follow those of
+ * `before`. */
 class Kinship
 {
 public:
@@ -61,8 +61,8 @@ private:
     std::size_t Part;
   };
 
-  // Joins a part with the parts around a block. Blocks that differ only along z are successive in
-  // the sorted places.
+  // Joins a part with the parts around a block. Blocks that differ only along z are consecutive in
+  // the sorted list.
   void JoinAround(const PartBlock& block, std::size_t part, const std::vector<SkinPart>& before,
     bool isVoid, const std::vector<Place>& places)
   {
@@ -115,8 +115,8 @@ double Sum(const std::vector<double>& volumes)
   return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
-/** Returns true if the remaining bodies have at least half of the volume of the smallest bodies, as
- * many as are missing. The family has fewer bodies after than before. */
+/** Returns true if the remaining bodies have gained at least half of the volume of the missing
+ * bodies, which count as the smallest. The family has fewer bodies after than before. */
 bool HasMerged(Family family)
 {
   std::sort(family.Before.begin(), family.Before.end());

@@ -24,24 +24,13 @@ namespace activesurface
 namespace
 {
 
-/**
- * Normal speeds of the skin in the node scheme.
- *
- * psi_b and psi_e are the distances to the target at the begin and the end of a frame, D is the
- * mean displacement of the particles at a vertex, and f the elapsed fraction of the frame. The
- * speed is
- *   (D . n - r (psi_e(x + (1 - f) D) - psi_b(x - f D))) / (end - begin):
- * the motion with the particles, and growth or shrinkage. r is the fraction of a change that the
- * skin follows in a frame; it is small within the target's noise.
- */
-
 /** Motion at the vertices. */
 struct VertexMotion
 {
-  std::vector<double> Points;  //< x y z of each
-  std::vector<float> Normals;  //< of each
-  std::vector<double> Ways;    //< displacement of each in the whole frame [length]
-  std::vector<float> Bulks;    //< of each
+  std::vector<double> Points;  //< x y z of each vertex
+  std::vector<float> Normals;  //< of each vertex
+  std::vector<double> Ways;    //< displacement of each vertex in the whole frame [length]
+  std::vector<float> Bulks;    //< of each vertex
   std::vector<double> Changes; //< change of the distance to the target along the path [length]
 };
 
@@ -162,6 +151,16 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
   return vertices;
 }
 
+/**
+ * Adds the normal speeds of the skin in the node scheme.
+ *
+ * psi_b and psi_e are the distances to the target at the beginning and the end of a frame, D is the
+ * mean displacement of the particles at a vertex, and f the elapsed fraction of the frame. The
+ * speed is
+ *   (D . n - r (psi_e(x + (1 - f) D) - psi_b(x - f D))) / (end - begin):
+ * the motion with the particles, and growth or shrinkage. r is the fraction of a change that the
+ * skin follows in a frame; it is small within the target's noise.
+ */
 void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector<float>& speeds)
 {
   const double duration = forces.End - forces.Begin;
@@ -190,7 +189,7 @@ void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector
   }
 }
 
-/** Writes 512 curvatures of a leaf [1/voxel]; valid are those at active nodes. */
+/** Writes 512 curvatures of a leaf [1/voxel]; only values at active nodes are valid. */
 void FindNodeCurvatures(const LeafTable& table, std::size_t i, float* curvatures)
 {
   constexpr float sharpest = 4.f;
@@ -255,8 +254,8 @@ std::vector<double> FindVertexAreas(const Skin& skin)
   return areas;
 }
 
-/** Returns the uniform speed that keeps the volume, or else the area. The change of the area is the
- * integral of speed * curvature. */
+/** Returns the uniform speed that conserves the volume, or otherwise the area. The change of the
+ * area is the integral of speed * curvature. */
 double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   const std::vector<float>& curvatures, const std::vector<float>& speeds)
 {

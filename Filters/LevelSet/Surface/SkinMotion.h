@@ -23,8 +23,8 @@ ACTIVELEVELSET_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
 
 /**
  * Returns the normal speed [length/time], outward positive, by the equation of motion at the time
- * of the band: attraction, tension, penalties, and the uniform speed by which exact controls keep
- * volume or area. Attraction is 0 where the target is not finite. The node scheme: see
+ * of the band: attraction, tension, penalties, and the uniform speed by which exact controls
+ * conserve volume or area. Attraction is 0 where the target is not finite. The node scheme: see
  * SkinMotion.cxx.
  */
 ACTIVELEVELSET_EXPORT std::vector<float> FindSpeeds(

@@ -347,7 +347,7 @@ private:
   std::int64_t Count = 0;
 };
 
-/** Collects the sets of all ranks on rank 0; other ranks get none. */
+/** Collects the sets of all ranks on rank 0; other ranks get no sets. */
 SkinSets Gather(SkinSets& own, const Agreement& ranks)
 {
   SkinSets all;

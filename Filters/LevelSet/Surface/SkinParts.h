@@ -15,7 +15,7 @@ namespace activesurface
 
 class NarrowBand;
 
-/** A cube of four voxels a side, by its coordinates. Locates a part roughly. */
+/** A cube of four voxels a side, by its coordinates. Gives the rough position of a part. */
 using PartBlock = std::array<std::int32_t, 3>;
 constexpr int VoxelsOfBlock = 4;
 
@@ -29,8 +29,9 @@ struct SkinPart
   bool IsVoid() const { return !(this->Volume > 0.0); }
 };
 
-/** Returns the parts in the order of their first vertices; the same potential gives the same bytes.
- * Collective if the band is partitioned among ranks: rank 0 gets all parts, other ranks none. */
+/** Returns the parts in the order of their first vertices; equal potentials give bitwise identical
+ * parts. Collective if the band is partitioned among ranks: rank 0 gets all parts, other ranks
+ * none. */
 ACTIVELEVELSET_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
 
 }

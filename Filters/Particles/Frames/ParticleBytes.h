@@ -17,7 +17,7 @@ namespace activesurface
 using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
 
 // Packs positions, ids, strengths and velocities of the chosen particles. Radii and passed arrays
-// are left out.
+// are omitted.
 VTKACTIVEPARTICLES_EXPORT Bytes PackParticles(
   const ParticleFrame& frame, const ParticleChoice& chosen);
 

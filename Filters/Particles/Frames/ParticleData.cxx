@@ -30,8 +30,7 @@ namespace activesurface
 namespace
 {
 
-// Finds positions and vectors among the columns of a table of particles.
-
+// Names of position columns without the component, in lower case; "" for x, y and z.
 constexpr const char* NamesOfPositions[] = { "", "coordinate", "coordinates", "p", "point",
   "points", "pos", "position", "positions", "vertices" };
 
@@ -110,7 +109,7 @@ bool ArePositions(const Group& group)
     std::end(NamesOfPositions);
 }
 
-// Groups columns, in the order of their first columns.
+// Groups columns, ordered by the first column of each group.
 std::vector<Group> GroupColumns(vtkTable* table)
 {
   std::map<std::string, std::array<vtkAbstractArray*, 3>> vectors;
@@ -228,7 +227,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(vtkTable* table)
 
 struct InputBlock
 {
-  std::string Name; // includes VTK's flat index
+  std::string Name; // block name with VTK's flat index
   vtkSmartPointer<vtkDataSet> Data;
 };
 
@@ -267,7 +266,7 @@ std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
 
 bool HasVerticesOnly(vtkPointSet* points)
 {
-  if (auto polyData = vtkPolyData::SafeDownCast(points)) // its cell types may have to be built
+  if (auto polyData = vtkPolyData::SafeDownCast(points)) // accessing cell types may build them
   {
     return polyData->GetNumberOfCells() == polyData->GetNumberOfVerts();
   }

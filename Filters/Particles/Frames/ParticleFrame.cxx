@@ -66,7 +66,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Sets the ids of the particles: those of their points, or the point indices if `ids` is empty.
+// Sets the ids of the particles from their points, or to the point indices if `ids` is empty.
 void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
@@ -106,8 +106,8 @@ void Sort(ParticleFrame& frame)
   frame.Permute(order);
 }
 
-// Copies the velocities of the particles. Values that are not finite count as unavailable when they
-// are used.
+// Copies the velocities of the particles. Values that are not finite count as unavailable when
+// read.
 void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
   if (velocities)

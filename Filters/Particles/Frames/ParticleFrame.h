@@ -24,7 +24,7 @@ class vtkPointSet;
 namespace activesurface
 {
 
-// Arrays of the particles; each may be null.
+// Arrays of the input points; each may be null.
 struct PointArrays
 {
   vtkAbstractArray* Radii = nullptr;
@@ -58,10 +58,10 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
   ParticleList Particles;
   std::vector<std::int64_t> Ids; // from the array, else point indices in the whole input
   bool HasIds = false;           // from the array
-  bool HasRadii = false;         // from the array; else call GiveRadius
+  bool HasRadii = false;         // from the array; otherwise call GiveRadius
   double ReachPerRadius = 1.0;   // support radius / radius of the array, see UseRadii
   bool HasVelocities = false;    // from an array
-  std::size_t Ignored = 0;       // points left out: not finite, or without a positive radius
+  std::size_t Ignored = 0;       // omitted points: not finite, or without a positive radius
   std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
   std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
   vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted
@@ -88,13 +88,14 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
 
   // Sets the support radius of all particles.
   void GiveRadius(double radius);
-  // Converts the radii of the array, which are those of balls, to support radii.
+  // Converts the radii of the array, which are ball radii, to support radii.
   void UseRadii(double reachPerRadius);
 
   // Adds an offset to all positions.
   void MoveBy(const double offset[3]);
 
-  // Box of the supports of all particles, on all ranks; returns false without particles.
+  // Computes the box of the supports of all particles, on all ranks; returns false without
+  // particles.
   bool GetBounds(double bounds[6]) const;
 };
 

@@ -1,5 +1,5 @@
-// A compact list of particles: coordinates in single precision if exact, and one radius or strength
-// if all particles have the same.
+// A compact list of particles. Coordinates are in single precision if that is exact. Equal radii,
+// or equal strengths, are stored once.
 
 #ifndef ParticleList_h
 #define ParticleList_h
@@ -96,7 +96,7 @@ public:
     return !this->Strengths.Each.empty() || this->Strengths.Common != 1.0;
   }
 
-  // Radius of all particles. Do not use it if the radii differ.
+  // Radius of all particles; valid only if the radii are equal.
   double GetCommonRadius() const { return this->Radii.Common; }
 
   void SetRadius(double radius) { this->Radii = { radius, {} }; }

@@ -107,12 +107,12 @@ std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFr
   return ways;
 }
 
-// The criterion: the median displacement, after subtraction of the mean, exceeds 20 % of the
-// cloud's diagonal.
+// Criterion: the median displacement, after subtraction of the mean, exceeds 20 % of the cloud's
+// diagonal.
 bool AreShuffled(
   std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box)
 {
-  constexpr std::size_t fewParticles = 100; // for fewer, indices are always used
+  constexpr std::size_t fewParticles = 100; // with fewer particles, indices are always used
   constexpr double acrossTheCloud = 0.2;    // fraction of the cloud's diagonal
   if (ways.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
   {

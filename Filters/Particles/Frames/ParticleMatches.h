@@ -3,7 +3,7 @@
 // A particle moves in a straight line to its position in the next step, in a periodic box to the
 // nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
 // Without ids they are matched by their index, if the two steps have equally many points. Indices
-// are not used if they would move most particles across the cloud, as happens if an input lists the
+// are not used if they would move most particles across the cloud, as when an input lists the
 // particles in another order in each step.
 //
 // Let f be the fraction of the interval. A particle without a partner in the next step dies: its

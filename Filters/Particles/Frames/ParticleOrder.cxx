@@ -11,7 +11,7 @@ namespace
 {
 
 // Sort key: the number that decides most comparisons, and the particle's index in the frame.
-// Sorting the particles themselves, or only their indices, takes three times as long.
+// Sorting the particles themselves, or only their indices, needs three times as long.
 template <class Number>
 struct OrderKey
 {

@@ -26,7 +26,7 @@ double FindMedian(std::vector<double>& values)
   return *middle;
 }
 
-// Medians of the coordinates, and half of the median distance from there along the widest axis.
+// Medians of the coordinates, and half of the median distance to this point along the widest axis.
 // Halves are used because full differences may overflow.
 struct Middle
 {
@@ -64,8 +64,8 @@ constexpr std::size_t Nearest = 4;
 using Distances = std::array<double, Nearest>; // ascending; HUGE_VAL if there is no such particle
 
 // Search tree of the particles. The leaves of an octree stay small even if a few particles are far
-// away. The tree works in single precision, so its coordinates are relative to the middle of most
-// particles, in units of their distance from there.
+// away. The tree uses single precision, so its coordinates are relative to the middle of most
+// particles, in units of their distance from the middle.
 class Neighbourhoods
 {
 public:
@@ -86,8 +86,8 @@ public:
     this->Tree->BuildLocator();
   }
 
-  // Evaluates more candidates: in single precision the tree cannot rank nearly equal distances, as
-  // in a lattice.
+  // Finds more candidates than needed: in single precision the tree cannot rank nearly equal
+  // distances, as in a lattice.
   Distances FindNearest(const double from[3]) const
   {
     constexpr std::size_t looked = 17;

@@ -17,7 +17,7 @@ namespace activesurface
 // positions.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
-// Returns the median radius over such a sample; there must be a particle.
+// Returns the median radius over such a sample. Needs at least one particle.
 VTKACTIVEPARTICLES_EXPORT double FindMedianRadius(const ParticleFrame& frame);
 
 }

@@ -19,7 +19,7 @@ struct PeriodicBox : Periods
   // the ellipsoid and its strength.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
-  // Returns the shortest difference that is equal up to whole lengths of the box.
+  // Returns the shortest difference that equals `difference` modulo the length of the box.
   double Nearest(std::size_t axis, double difference) const
   {
     const double length = this->Length[axis];
@@ -44,7 +44,7 @@ struct PeriodicBox : Periods
   }
 
   // Range of the offsets, in lengths of the box, at which a copy is in the box or its margin. The
-  // first is larger than the last if there are none.
+  // first is larger than the last if there is no such copy.
   std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];

@@ -11,9 +11,9 @@ namespace activesurface
 namespace
 {
 
-// A segment is made of balls one radius apart, or of this number of larger ones.
+// Balls per segment: one per radius of length, but at most this number of larger balls.
 constexpr double MostBalls = 64.0;
-// Factor of squared radii, for the rounding of squared distances.
+// Factor of squared radii: allows for the rounding of squared distances.
 constexpr double Rounding = 1.0 + 1e-9;
 
 }
@@ -61,7 +61,7 @@ void ElementIndex::Build()
   this->FillCells();
 }
 
-// Balls that contain the support together.
+// Adds balls that together contain the support.
 void ElementIndex::AddBalls(Index element, const Capsule& support)
 {
   double edge[3];
@@ -85,7 +85,7 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
 }
 
-// A ball counts as no smaller than rounding.
+// Balls smaller than the rounding error count as that large.
 int ElementIndex::LevelOf(const Ball& ball) const
 {
   return std::ilogb(std::max(ball.Radius, this->Slack));
@@ -110,7 +110,7 @@ void ElementIndex::MakeLattices()
     [](const Lattice& a, const Lattice& b) { return a.Number < b.Number; });
 }
 
-// A counting sort by cells.
+// Sorts the balls by cell (counting sort).
 void ElementIndex::FillCells()
 {
   const std::size_t count = this->Balls.size();
@@ -154,7 +154,7 @@ void ElementIndex::FillCells()
     this->Radius2[at] = ball.Radius * ball.Radius * Rounding;
     this->Elements[at] = ball.Element;
   }
-  // Each end has become a start.
+  // Starts[c + 1] now is the start of cell c.
   this->Starts.erase(this->Starts.begin());
   this->Starts.push_back(static_cast<Index>(count));
 }

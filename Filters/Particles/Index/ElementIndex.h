@@ -1,9 +1,9 @@
 // Finds the elements of a skeleton whose supports may contain a point.
 //
-// Supports are balls; a long segment is several. Those of sizes within a factor of two are listed
-// in the cells of one lattice, by their centres; cells are as wide as the largest of them, so that
-// a search visits 27 cells of each lattice. Cells are found by a hash: memory is O(elements),
-// however large the extent.
+// Supports are balls; a long segment consists of several balls. Balls of sizes within a factor of
+// two are listed in the cells of one lattice, by their centres. Cells are as wide as the largest
+// ball, so a search visits 27 cells of each lattice. Cells are found by a hash: memory is
+// O(elements), independent of the extent.
 
 #ifndef ElementIndex_h
 #define ElementIndex_h
@@ -42,14 +42,14 @@ public:
     double High[3];
   };
 
-  // Removes the elements; keeps allocated memory.
+  // Removes the elements; keeps the capacity.
   void Clear() { this->Supports.clear(); }
 
   void AddBall(const double centre[3], double radius);
   void Add(const Capsule& support);
 
-  // Follows the last element and precedes the first search. Throws std::length_error for more
-  // elements than 32-bit numbers can list.
+  // Call after the last element is added and before the first search. Throws std::length_error if
+  // the number of elements exceeds 32 bits.
   void Build();
 
   std::size_t Size() const { return this->Supports.size(); }
@@ -58,11 +58,11 @@ public:
   // Bounding box of all supports: xmin xmax ymin ... Undefined without elements.
   const double* GetBounds() const { return this->Bounds; }
 
-  // Finds the cell of a point in the finest lattice. Returns false for points that are too far from
-  // the origin for that.
+  // Finds the cell of a point in the finest lattice. Returns false if the point is too far from the
+  // origin.
   bool FindCell(const double x[3], NodeIndex& cell) const;
 
-  // Calls visit(hits, count) once, with all elements that may touch the place, ascending.
+  // Calls visit(hits, count) once, with all elements that may touch the place, in ascending order.
   // Thread-safe.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitHits(const Place& place, Visitor visit) const;
@@ -70,7 +70,7 @@ public:
 private:
   using Hits = std::vector<Index>;
 
-  // Cells farther than this from the origin are one.
+  // Farther from the origin, all cells count as one.
   static constexpr double FarthestCell = 281474976710656.0; // 2^48: rounding is below 1/16
 
   struct Lattice
@@ -94,8 +94,8 @@ private:
   {
     return std::min(std::max(std::floor(x / cellSize), -FarthestCell), FarthestCell);
   }
-  // Cells are equal modulo 2^32; lattices differ in the first number. Equal keys of different cells
-  // cost time only.
+  // Hash keys: cell coordinates modulo 2^32; the first number also contains the lattice. Equal keys
+  // of different cells cost only time.
   static NodeIndex KeyOf(const Lattice& lattice, const std::int64_t (&cell)[3])
   {
     constexpr std::uint32_t perLattice = 0x9e3779b1u;
@@ -112,11 +112,11 @@ private:
   std::vector<Lattice> Lattices; // fine to coarse
   IndexMap Cells;
   std::vector<Index> Starts; // of each cell, and the end of the last
-  // Balls by cells, in each by the element.
+  // Balls sorted by cell, then by element.
   std::vector<double> X, Y, Z, Radius2;
   std::vector<Index> Elements;
 
-  // Temporaries of Build, kept for their memory.
+  // Buffers of Build; members keep their capacity.
   std::vector<Ball> Balls;
   std::vector<Index> CellOfBall;
 };

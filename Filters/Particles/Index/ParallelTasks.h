@@ -15,7 +15,7 @@
 namespace activesurface
 {
 
-// Batch size for work of some microseconds per particle.
+// Batch size for some microseconds of work per particle.
 constexpr std::size_t ParticlesPerTask = 256;
 
 // Calls task(0) to task(count - 1), each once. Rethrows an exception of a task.
@@ -51,8 +51,8 @@ void RunTasks(std::size_t count, Task task)
   }
 }
 
-// Calls task(begin, end) for pieces of 0 to count - 1. Each piece has inPiece numbers, the last one
-// possibly fewer.
+// Calls task(begin, end) for pieces of 0 to count - 1. Each piece has inPiece numbers; the last one
+// may have fewer.
 template <class Task>
 void RunPieces(std::size_t count, std::size_t inPiece, Task task)
 {
@@ -78,7 +78,7 @@ Number FindMost(std::size_t count, Number least, Value value)
   return most.empty() ? least : *std::max_element(most.begin(), most.end());
 }
 
-// Calls task(0) to task(count - 1), for tasks of little work.
+// Calls task(0) to task(count - 1) in batches, for tasks of little work.
 template <class Task>
 void RunEach(std::size_t count, Task task)
 {

@@ -18,8 +18,8 @@ public:
   static constexpr std::size_t Capacity = 256; // points
   static constexpr std::size_t Most = 8;       // in a group
 
-  // Sorts up to Capacity points by their cells. findCell(index, cell) returns false for a point
-  // that is in no group.
+  // Sorts up to Capacity points by their cells. findCell(index, cell) returns false if a point
+  // belongs to no group.
   template <class FindCell>
   PointGroups(std::size_t count, FindCell&& findCell)
   {

@@ -19,8 +19,8 @@ struct VTKACTIVEPARTICLES_EXPORT SkeletonVertex
   double Radius;
   double Strength;
 
-  // Returns true if the numbers are finite, and of a size (1e-100 to 1e100) that can be squared and
-  // divided by.
+  // Returns true if the numbers are finite, and of a magnitude (1e-100 to 1e100) that allows
+  // squares and quotients.
   bool IsUsable() const;
 };
 
@@ -38,23 +38,23 @@ VTKACTIVEPARTICLES_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double
 class VTKACTIVEPARTICLES_EXPORT Skeleton
 {
 public:
-  // Removes all elements; keeps allocated memory.
+  // Removes all elements; keeps the capacity.
   void Clear();
 
-  // All points precede the first segment. Vertices have to be usable.
+  // Add all points before the first segment. Vertices have to be usable.
   void AddPoint(const SkeletonVertex& vertex);
   void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
 
-  // Follows the last element and precedes the first evaluation. Throws as ElementIndex does.
+  // Call after the last element is added and before the first evaluation. Throws like ElementIndex.
   void Build() { this->Near.Build(); }
 
   // Evaluates threshold - sum at points (x y z each), and the gradients of this value unless null.
-  // A point that is not finite gets NaN. Thread-safe.
+  // Returns NaN at a point that is not finite. Thread-safe.
   void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
     double* values, double* gradients) const;
 
-  // Finds the nonzero contributions of points, not of segments, to the sum at x, in the order of
-  // the points. Thread-safe.
+  // Finds the nonzero contributions of points (not segments) to the sum at x, in the order of the
+  // points. Thread-safe.
   void FindWeights(
     SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const;
 

@@ -29,7 +29,7 @@ struct KernelSample
   double SlopeOverQ; // W'(q) / q
 };
 
-// Selects number by number, without a branch.
+// Selects component by component, without a branch.
 ACTIVE_ALWAYS_INLINE KernelSample Choose(
   bool first, const KernelSample& one, const KernelSample& other)
 {
@@ -72,9 +72,9 @@ struct MetaballKernel
   }
 };
 
-// A position and the sums of contributions there. Terms 0, 1, 2 are MINUS the gradient, as a
-// potential that is negative inside needs. Term 3 is the value. One array lets compilers add two
-// terms at a time.
+// A position and the sums of contributions there. Terms 0, 1, 2 are MINUS the gradient, as the
+// potential is negative inside. Term 3 is the value. With one array, compilers add two terms at a
+// time.
 struct SkeletonPlace
 {
   double X[3];
@@ -115,7 +115,7 @@ struct SkeletonPoint
     }
   }
 
-  // Bitwise identical to a single position: beyond the support it adds zeros, as W(1) = W'(1) = 0.
+  // Bitwise identical to a single position: beyond the support W(1) = W'(1) = 0 adds zeros.
   template <class Kernel>
   ACTIVE_ALWAYS_INLINE void AddTo(SkeletonLanes& lanes) const
   {

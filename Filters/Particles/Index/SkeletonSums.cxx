@@ -1,5 +1,5 @@
-// Sums a skeleton's contributions: side by side at several points in one cell, else
-// point by point. The results are bitwise identical.
+// Sums a skeleton's contributions: in SIMD lanes at several points of one cell, otherwise point by
+// point. The results are bitwise identical.
 
 #include "Index/PointGroups.h"
 #include "Index/Skeleton.h"
@@ -12,7 +12,7 @@ namespace activesurface
 {
 namespace
 {
-// Fewer points are faster one by one.
+// Smaller groups are faster point by point.
 constexpr int FewestLanes = 3;
 
 ACTIVE_ALWAYS_INLINE ElementIndex::Place PlaceAt(const double x[3])
@@ -61,7 +61,7 @@ ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
 {
   const SkeletonPoint* points = this->Points.data();
   const std::size_t pointCount = this->Points.size();
-  Sums sums = result; // a copy, so that it stays in registers
+  Sums sums = result; // a copy that stays in registers
   const Index* end = hits + count;
   for (; hits != end && *hits < pointCount; ++hits)
   {

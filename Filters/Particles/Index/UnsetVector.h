@@ -1,5 +1,5 @@
-// Vector whose resize leaves new elements uninitialised. The tasks that fill large arrays are then
-// the first to touch the memory, which is a large part of the work.
+// Vector whose resize leaves new elements uninitialised. The parallel tasks that fill a large array
+// then touch its memory first, which is a large part of the work.
 
 #ifndef UnsetVector_h
 #define UnsetVector_h

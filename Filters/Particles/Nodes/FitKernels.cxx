@@ -12,46 +12,46 @@ namespace activesurface
 namespace
 {
 
-// A particle counts as one of the surface by how far it is from the mean of its neighbourhood, in
-// reaches of that: .24 in a flat layer of a deep body, below .1 inside.
+// Limits of the distance from a particle to the mean of its neighbourhood, over the neighbourhood's
+// radius, for a particle at the surface: 0.24 in a flat layer of a deep body, below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
-// The surface of a body is farther from its particles than their own radius by this share of it,
-// because the body's edges lose volume.
+// The surface of a body is farther from its particles than their own radius by this fraction of the
+// radius, because the body's edges lose volume.
 constexpr float OffsetOfBody = .1f;
 
-// Density of the neighbours, over that of one particle in each (2 r)^3, from which on there is a
-// body: .28 in a sheet of one layer, .63 in the outermost layer of a deep body, .87 in the next.
+// Limits of the density of the neighbours, over that of one particle in each (2 r)^3, for a body:
+// 0.28 in a sheet of one layer, 0.63 in the outermost layer of a deep body, 0.87 in the next layer.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// The kernel's reach over that in a body: without neighbours, and up to which density it grows.
+// Support radius over that in a body: without neighbours, and the densities between which it grows.
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;
 
-// Near neighbours are within this share of the neighbourhood's radius. The sum of their weights,
-// with the particle's own (1), decides whether there is a shape: two neighbours make 2.1, a sheet
+// Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
+// including the particle's own (1), decides if there is a shape: two neighbours make 2.1, a sheet
 // of one layer 4.2, a body's surface 5.8.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
 
-// A centre moves by this share of the distance to the mean of its neighbours.
+// A centre moves by this fraction of the distance to the mean of its neighbours.
 constexpr float ShareOfMean = .9f;
 
-// Shortest half-axis over the middle one: a sheet of one layer has 0, a body about 1. Longest one
-// over the neighbourhood's radius: particles in one place have 0, a pair .15, a body .33.
+// Shortest over middle half-axis: 0 in a sheet of one layer, about 1 in a body. Longest half-axis
+// over the neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;
 
-// Triangles between points on a sphere lose .155 / r of its radius [voxels]; below half a voxel the
-// lattice shows no ball anyway.
+// Triangulation reduces the radius r of a ball by 0.155 / r [voxels]. Here r is at least LeastBall,
+// because the lattice shows no smaller ball.
 constexpr float LossOfTriangles = .155f;
 constexpr float LeastBall = .5f;
 
-// The integral of (1 - d^2)^2 over the unit ball.
+// Integral of (1 - d^2)^2 over the unit ball.
 constexpr float WholeBall = 32.f * 3.14159265f / 105.f;
 
 struct ListKernel
@@ -150,7 +150,7 @@ struct FitKernel
     LaneSums sums;
     this->AddUp(sums);
     const Lanes zero = AllLanes(0.f), one = AllLanes(1.f);
-    // Without any weight: a particle without strength and without neighbours.
+    // The sum of weights is 0 for a particle without strength and neighbours.
     const Lanes inverse = one / Pick(sums.Weight > zero, sums.Weight, one);
     Lanes mean[3];
     for (int i = 0; i < 3; ++i)
@@ -257,7 +257,7 @@ private:
     }
   }
 
-  // Half-axes in the proportions of the shape, with the volume of a ball.
+  // Finds half-axes in the proportions of the shape, with the volume of a ball.
   ACTIVE_ALWAYS_INLINE void FindEllipsoid(const Lanes (&mean)[3], const Lanes (&axes)[3],
     const Lanes& shape, const Lanes& reach, const LaneEigen& eigen) const
   {

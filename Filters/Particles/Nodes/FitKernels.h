@@ -1,11 +1,11 @@
-// What particles find out about their neighbours, eight particles side by side, by the same list of
+// Fits of particles to their neighbours, for eight particles in SIMD lanes with one list of
 // neighbours. Lengths in voxels.
 //
-// A particle's fit is its ellipsoid: what its neighbourhood is like (Yu and Turk 2013), near a
-// surface; see NodeFits.h for the strength. Few neighbours have a shorter reach, so that drops
-// do not grow into each other's kernels: from a lone particle to a body it grows by the density of
-// the neighbours. A ball is a little larger than its particle, for what triangles between points on
-// a sphere lose.
+// The fit of a particle near a surface is an ellipsoid with the shape of its neighbourhood (Yu and
+// Turk 2013); see NodeFits.h for the strength. The support radius grows with the density of the
+// neighbours, from an isolated particle to a body. Drops with few neighbours therefore do not grow
+// into each other's kernels. A ball is a little larger than its particle, to compensate for the
+// volume that its triangles lose.
 
 #ifndef FitKernels_h
 #define FitKernels_h
@@ -18,24 +18,24 @@
 namespace activesurface
 {
 
-// Up to eight particles that are near one another; places relative to an origin that they share.
-// Columns that are not used repeat the last particle.
+// Up to eight particles that are near each other, with positions relative to a common origin.
+// Unused columns repeat the last particle.
 struct FitGroup
 {
   int Count = 0;
   std::uint32_t Members[8];
   alignas(32) float Place[3][8];
   alignas(32) float OwnRadius[8];
-  alignas(32) float Reach[8]; // of the kernel in a body
+  alignas(32) float Reach[8]; // support radius in a body
   alignas(32) float Strength[8];
 
-  float Middle[3]; // of the box of the places, and half of its sides
+  float Middle[3]; // of the box of the positions, and half of its sides
   float Half[3];
 
   void FindBox();
 };
 
-// One of the neighbours of a group, relative to the same origin.
+// A neighbour of a group, relative to the group's origin.
 struct FitNeighbour
 {
   float Place[3];
@@ -44,44 +44,45 @@ struct FitNeighbour
 
 using FitNeighbours = UnsetVector<FitNeighbour>;
 
-// Places, relative to their own origin, and squared reaches, of eight more than there are.
+// Positions, relative to their own origin, and squared support radii, padded by LanePadding.
 struct PlaceColumns
 {
   const float *X, *Y, *Z, *Reach2;
 };
 
-// Lists the particles whose reach comes to the group's box. Shifts of the runs are from the group's
-// origin.
+// Lists the particles whose supports touch the group's box. Shifts of the runs are relative to the
+// group's origin.
 void ListNeighbours(const FitGroup& group, const PlaceColumns& columns, const ParticleRuns& runs,
   FitNeighbours& neighbours);
 
-// A ball is larger than its particle by this share of its radius, which is in voxels.
+// Returns the fraction of its radius by which a ball is larger than its particle. ownRadius: in
+// voxels.
 double FindLossOfBall(double ownRadius);
 
 struct FitLaw
 {
-  float WidePerReach; // neighbourhood over reach of the kernel
+  float WidePerReach; // radius of the neighbourhood over support radius
   float Anisotropy;   // largest ratio of axes
-  bool HasTriangles;  // else a ball has no loss, see FindLossOfBall
+  bool HasTriangles;  // otherwise balls are not enlarged, see FindLossOfBall
 };
 
-// The fits of a group, but for the strengths.
+// The fits of a group, without the strengths.
 struct GroupFits
 {
-  alignas(32) float Bulk[8];      // in [0,1], how much of a body is around
-  alignas(32) float Shape[8];     // in [0,1], 0 for a lone particle: of what it is among neighbours
-  alignas(32) float Deep[8];      // how much the place Away counts
-  alignas(32) float Thin[8];      // how much the place Across counts
+  alignas(32) float Bulk[8];      // in [0,1]: 0 for sheets and isolated particles, 1 in a body
+  alignas(32) float Shape[8];     // in [0,1], weight of the ellipsoid: 0 for an isolated particle
+  alignas(32) float Deep[8];      // weight of the point Away
+  alignas(32) float Thin[8];      // weight of the point Across
   alignas(32) float Offset[3][8]; // from the particle to the centre
   alignas(32) float Metric[6][8];
   alignas(32) float Extent[3][8];
   alignas(32) float Reach[8];     // longest half-axis
-  alignas(32) float Lone[8];      // the kernel at the surface of a lone one
-  alignas(32) float Away[3][8];   // from the particle to where the surface of a body should be,
-  alignas(32) float Across[3][8]; // and to that of a sheet or thread
+  alignas(32) float Lone[8];      // kernel at the surface of an isolated particle
+  alignas(32) float Away[3][8];   // from the particle to the expected surface of a body,
+  alignas(32) float Across[3][8]; // and of a sheet or thread
 };
 
-// Weight of a neighbour: (1 - d^2/W^2)^2 with its own W = WidePerReach * reach, by its strength.
+// Weight of a neighbour: its strength * (1 - d^2/W^2)^2, with its own W = WidePerReach * reach.
 struct WeightColumns
 {
   const float* InverseWide2;
@@ -92,12 +93,12 @@ void FindGroupFits(const FitLaw& law, const FitGroup& group, const FitNeighbours
 
 struct NodeEllipsoid;
 
-// Sums of strength (1 - d^2)^3 over ellipsoids at the group's places; the neighbours' places are
-// the ellipsoids' centres.
+// Sums strength (1 - d^2)^3 over ellipsoids at the group's positions. The neighbours' positions are
+// the centres of the ellipsoids.
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
-// Sums as above, and their gradients.
+// Sums like the function above, and their gradients.
 struct PointSums
 {
   alignas(32) float Sum[8];
@@ -106,7 +107,7 @@ struct PointSums
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, PointSums& sums);
 
-// Sums over the neighbours at the group's places of weight * Share and of weight * Share * Lack.
+// Sums weight * Share and weight * Share * Lack over the neighbours, at the group's positions.
 struct ShareColumns
 {
   const float* InverseWide2;

@@ -1,5 +1,5 @@
-// The particles of a rank near its space: its own, and those of other ranks, ghosts, of which their
-// owners send what they have found.
+// The particles near a rank's partition: own particles, and ghosts, which other ranks own and
+// update.
 
 #ifndef GhostParticles_h
 #define GhostParticles_h
@@ -21,22 +21,21 @@ namespace activesurface
 class GhostParticles
 {
 public:
-  // Lists the particles near this rank's space. Null: all are this rank's. nodeOf: the node below a
-  // particle. margin: distance along each axis from it [nodes].
+  // Lists the particles near this rank's partition; null: this rank owns all. nodeOf: the node
+  // below a particle. margin: distance from the partition along each axis [nodes].
   void Find(const Domain* domain, int margin, std::size_t count,
     const std::function<NodeIndex(std::size_t)>& nodeOf);
 
-  // Numbers of the listed particles, ascending; nothing without a domain.
+  // Indices of the listed particles, ascending; empty without a domain.
   const std::vector<std::uint32_t>& GetListed() const { return this->Listed; }
 
-  // Says where each listed particle is in the columns that follow. order: the particle at each
-  // place.
+  // Sets the column index of each listed particle. order: the particle of each column.
   void SetOrder(const UnsetVector<std::uint32_t>& order);
 
-  // Returns true if this rank owns the particle at a place of the columns.
+  // Returns true if this rank owns the particle of column k.
   bool IsOwn(std::uint32_t k) const { return this->Own.empty() || this->Own[k]; }
 
-  // Sends get(k) of own particles, and calls set(k, value) for ghosts. Collective; does nothing
+  // Collective. Sends get(k) of own particles, and calls set(k, value) for ghosts. Does nothing
   // without a domain.
   template <class Value, class Get, class Set>
   void Share(Get&& get, Set&& set) const
@@ -78,9 +77,9 @@ private:
   const Domain* Space = nullptr;
   std::vector<std::uint32_t> Listed;
   std::vector<char> IsOwnListed;
-  Lists Sent, Received; // by rank, numbers among those listed, in the same order on both ranks
+  Lists Sent, Received; // by rank, indices in Listed, in the same order on both ranks
   std::vector<std::uint32_t> Places;
-  std::vector<char> Own; // by place; empty: all
+  std::vector<char> Own; // by column; empty: all
 };
 
 }

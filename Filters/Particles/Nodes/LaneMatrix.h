@@ -1,4 +1,4 @@
-// Symmetric 3 x 3 matrices, eight side by side.
+// Symmetric 3 x 3 matrices, eight in SIMD lanes.
 
 #ifndef LaneMatrix_h
 #define LaneMatrix_h
@@ -24,7 +24,7 @@ struct LaneEigen
   Lanes Value[3];
   Lanes Vector[3][3];
 
-  // By rotations of Jacobi.
+  // Jacobi rotations.
   ACTIVE_ALWAYS_INLINE explicit LaneEigen(const LaneMatrix& given)
   {
     LaneMatrix matrix = given;

@@ -13,18 +13,18 @@ namespace activesurface
 namespace
 {
 
-// Square of a mean displacement over that of its standard error, from which on it is motion.
+// Least square of a mean displacement over that of its standard error that counts as motion.
 constexpr float ErrorsOfMotion = 6.f;
-// Fewer particles than two, counted by their weights, have no spread.
+// Fewer than two particles, counted by their weights, have no standard error.
 constexpr float FewParticles = .5f; // 1 over their number
-// Displacements below this are none [voxels].
+// Smaller displacements count as none [voxels].
 constexpr float Still = 1e-4f;
 
 struct Neighbour
 {
   float Place[3];
   float Displacement[3];
-  float Square; // of the displacement
+  float Square; // squared length of the displacement
   float IsMoved;
   float Bulk;
   float InverseReach2;
@@ -32,7 +32,7 @@ struct Neighbour
 
 using Neighbours = UnsetVector<Neighbour>;
 
-// Keeps the particles that reach the leaf.
+// Keeps the particles whose supports touch the leaf.
 struct KeepKernel
 {
   const MotionColumns& Columns;
@@ -81,7 +81,7 @@ private:
   }
 };
 
-// At all points of a leaf, and five more.
+// Sums at all points of a leaf, padded by five.
 struct Sums
 {
   static constexpr int Size = 32;
@@ -153,10 +153,10 @@ struct PointMotion
 {
   float Displacement[3] = { 0.f, 0.f, 0.f };
   bool IsKnown = false;
-  bool IsWeak = true; // by too few particles
+  bool IsWeak = true; // from too few particles
 };
 
-// Points with few particles, at the end of their kernels, get the mean of the other points.
+// Points with few particles, near the ends of their kernels, get the mean of the other points.
 void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& motion)
 {
   const bool areAllWeak =

@@ -1,5 +1,5 @@
 // Means of displacements and bulks of particles at the points of a leaf. A mean displacement is
-// less what may be the noise of the particles it is the mean of, by their spread.
+// reduced by the estimated noise of its particles, from their variance.
 
 #ifndef MotionMeans_h
 #define MotionMeans_h
@@ -12,14 +12,14 @@ namespace activesurface
 
 struct MotionColumns
 {
-  const float* Place[3]; // relative to some origin
+  const float* Place[3]; // relative to the origin of the run's block
   const float* Displacement[3];
   const float* IsMoved; // 1, or 0 if the displacement is unknown
   const float* Bulk;    // null: all are 1
   const float* InverseReach2;
 };
 
-// Shifts of the runs are from the first node of the leaf.
+// Shifts of the runs are relative to the first node of the leaf.
 void FindMotionMeans(
   const MotionColumns& columns, const ParticleRuns& runs, bool hasNoise, LeafMotion& motion);
 

@@ -1,4 +1,4 @@
-// The columns of fits, and what ranks send each other of them.
+// Columns of fits, and their exchange between ranks.
 
 #include "Index/ParallelTasks.h"
 #include "Nodes/NodeFits.h"
@@ -76,8 +76,8 @@ bool NodeFits::FindOutward(std::uint32_t k, float (&outward)[3]) const
   return true;
 }
 
-// A particle that its owner counts as near the surface is so here too, where fewer particles are
-// known.
+// A ghost that its owner finds near the surface has a row here too: this rank knows fewer
+// particles, so more cells are not full.
 void NodeFits::ShareShapes()
 {
   struct SharedShape

@@ -10,10 +10,10 @@
 namespace activesurface
 {
 
-// A group and its neighbours; one for each thread, kept for its memory.
+// A group and its neighbours; one per thread, reused.
 struct NodeFits::Search
 {
-  NodeIndex Home{}; // block whose origin is that of the places
+  NodeIndex Home{}; // block whose origin is that of the positions
   FitGroup Group;
   ParticleRuns Runs;
   FitNeighbours Neighbours;
@@ -56,7 +56,7 @@ void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
   this->ShareStrengths();
 }
 
-// By a sample that is spread over the list.
+// Evaluates a sample that is spread over the list.
 bool NodeFits::HasTooManyNeighbours() const
 {
   const std::size_t count = this->Blocks->GetOrder().size();
@@ -79,7 +79,7 @@ bool NodeFits::HasTooManyNeighbours() const
   return neighbours > MostNeighbours * ParticlesOfSample;
 }
 
-// In each column of parts, eight by eight, in parallel.
+// Visits groups of up to eight particles, in parallel over columns of parts of blocks.
 template <class IsWanted, class Visit>
 void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
 {
@@ -136,8 +136,8 @@ void NodeFits::FillGroup(Search& search) const
   }
 }
 
-// Finds the particles in reach of the group's places. reach: the longest one; rowOf: the row of the
-// columns at which a particle is, or the next one that has a row.
+// Finds the particles whose supports touch the group's box. reach: the largest support radius;
+// rowOf: the row of a particle, or the next row if the particle has none.
 template <class RowOf>
 void NodeFits::Gather(
   Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const
@@ -217,7 +217,7 @@ void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
   {
     ellipsoid.Extent[axis] = fits.Extent[axis][column];
   }
-  ellipsoid.Strength = this->Given.Strength[k]; // FindStrengths divides it
+  ellipsoid.Strength = this->Given.Strength[k]; // normalized in FindStrengths
 }
 
 void NodeFits::FindLongestReach()
@@ -237,7 +237,8 @@ void NodeFits::FindLongestReach()
   this->LongestReach = longest.empty() ? 0.0 : *std::max_element(longest.begin(), longest.end());
 }
 
-// Moves the group to one of the places of each. Returns true if it counts for any.
+// Moves each particle of the group to its point Away or Across. Returns true if a weight of these
+// points is nonzero.
 bool NodeFits::PlaceBeside(
   Search& search, const UnsetVector<float>& counting, std::size_t place) const
 {
@@ -255,8 +256,8 @@ bool NodeFits::PlaceBeside(
   return counts;
 }
 
-// A particle that fades in or out counts as whole at its own place, so that a lone one fades to
-// nothing. Returns what it would add there to what it has.
+// A particle that fades in or out has full strength at its own point, so that an isolated one fades
+// to nothing. Returns the missing part of its contribution there.
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);
@@ -276,7 +277,7 @@ float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
   return faded * (rest * rest * rest);
 }
 
-// Adds nothing where the places of no particle count.
+// Adds nothing if all weights are 0.
 void NodeFits::SumBeside(
   Search& search, const UnsetVector<float>& counting, std::size_t place, float (&sums)[8]) const
 {
@@ -320,7 +321,7 @@ void NodeFits::FindLacks(Search& search)
   }
 }
 
-// Most particles share nothing.
+// Lists only the particles with a share; most have none.
 void NodeFits::ListSurface()
 {
   const std::size_t count = this->Ellipsoids.size();
@@ -358,8 +359,8 @@ void NodeFits::ListSurface()
 
 void NodeFits::FindStrengths(Search& search)
 {
-  // The sum at a body's surface is at least this share of what a lone particle has at its own:
-  // neighbours whose kernels are longer may lack more than a particle has.
+  // Lower limit of the sum at a body's surface, over the value of an isolated particle: where
+  // neighbours have larger supports, the mean deficit may exceed this value.
   constexpr float leastShare = .1f;
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,

@@ -1,7 +1,11 @@
-// The fits of the particles near a surface, at the places where they are: their ellipsoids, and how
-// much of a body is around each particle. Found in three passes: the ellipsoids; what the sum of
-// their kernels lacks where the surface should be; and the mean of what neighbours lack, which
-// gives the strengths. Particles deep in a body have none, as their kernels do not reach a surface.
+// Fits of the particles near a surface: ellipsoids, and bulks (how much of a body surrounds each
+// particle). Particles deep in a body have no fit, because their kernels do not reach a surface.
+// There are three passes:
+//
+// - The ellipsoid of each particle.
+// - Lack: the sum of kernels at the particle's expected surface, minus that of an isolated
+// particle.
+// - The strength, from the mean lack of the neighbours.
 
 #ifndef NodeFits_h
 #define NodeFits_h
@@ -20,8 +24,8 @@ namespace activesurface
 {
 
 // Up to FewParticles may all be neighbours of each other. Larger inputs are an error if particles
-// have more than MostNeighbours neighbours on average, a hundred times the usual number. Visiting
-// all pairs would take hours. The average is that of a sample.
+// have more than MostNeighbours neighbours on average, a hundred times the usual number: visiting
+// all pairs would need hours. The average is over a sample.
 constexpr std::size_t FewParticles = 30000;
 
 constexpr std::size_t MostNeighbours = 20000;
@@ -30,11 +34,11 @@ constexpr std::size_t ParticlesOfSample = 256;
 
 [[noreturn]] void RefuseNeighbours(std::size_t particles);
 
-// Rows of columns that only the particles near a surface have, in the order of the blocks.
+// Rows of columns that exist only for particles near a surface, in the order of the blocks.
 class NearRows
 {
 public:
-  // Keeps its memory.
+  // Reuses allocated memory.
   void Build(const ParticleBlocks& blocks)
   {
     const std::size_t count = blocks.GetOrder().size();
@@ -57,7 +61,7 @@ public:
 
   std::size_t Size() const { return this->Rows.back(); }
 
-  // The row of a particle near a surface; of others that of the next one.
+  // The row of a particle near a surface; for another particle the row of the next one.
   std::uint32_t operator[](std::uint32_t particle) const { return this->Rows[particle]; }
   const std::uint32_t* GetAll() const { return this->Rows.data(); }
 
@@ -94,53 +98,53 @@ private:
   UnsetVector<std::uint32_t> Rows;
 };
 
-// Numbers of particles in the order of their blocks, and eight more; lengths in voxels, places
-// relative to the block.
+// Columns of the particles in the order of their blocks, padded by LanePadding. Lengths in voxels,
+// positions relative to the block.
 struct FitColumns
 {
   const float *X, *Y, *Z;
   const float* OwnRadius;
-  const float* Reach; // of the kernel in a body
+  const float* Reach; // support radius in a body
   const float* Strength;
 };
 
 struct NodeFitOptions
 {
-  double WidePerReach = 1.0; // neighbourhood over reach
+  double WidePerReach = 1.0; // radius of the neighbourhood over support radius
   double Anisotropy = 4.0;   // largest ratio of axes
-  bool HasEllipsoids = true; // else only bulks and what is outward are found
-  bool HasTriangles = true;  // balls are larger by what triangles lose
+  bool HasEllipsoids = true; // otherwise finds only bulks and outward vectors
+  bool HasTriangles = true;  // enlarges balls to compensate for their triangles
 };
 
 class NodeFits
 {
 public:
-  // Keeps its memory. Throws std::invalid_argument for too many neighbours (MostNeighbours);
-  // without ellipsoids bulks are 0 then. ghosts: of which other ranks find the fits; collective if
-  // there are any.
+  // Reuses allocated memory. Throws std::invalid_argument for too many neighbours (MostNeighbours);
+  // without ellipsoids the bulks are 0 instead. ghosts: particles whose fits other ranks find.
+  // Collective if there are any ghosts.
   void Find(const ParticleBlocks& blocks, const FitColumns& given, const GhostParticles& ghosts,
     const NodeFitOptions& options);
 
-  // In [0,1]; 1 deep in a body.
+  // Bulks in [0,1]; 1 deep in a body.
   const float* GetBulks() const { return this->Bulk.data(); }
 
-  // The rows of the following.
+  // Rows of the particles in the columns below.
   const std::uint32_t* GetRows() const { return this->Row.GetAll(); }
-  // Centres relative to the particle's block; a squared reach of 0 where there is none.
+  // Centres are relative to the particle's block. A squared reach of 0 means no ellipsoid.
   EllipsoidColumns GetColumns() const
   {
     return { this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() };
   }
   const NodeEllipsoid* GetEllipsoids() const { return this->Ellipsoids.data(); }
-  // From the particle, centre and all [voxels].
+  // Largest distance from a particle to an end of its ellipsoid [voxels].
   double GetLongestReach() const { return this->LongestReach; }
 
-  // Evaluates the sum of the ellipsoids, and its gradient, at the places of a group, relative to a
-  // block. Thread-safe.
+  // Evaluates the sum of the ellipsoids, and its gradient, at the positions of a group, relative to
+  // a block. Thread-safe.
   void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
 
-  // Finds the box of the ellipsoid of the particle k of the columns, relative to its block: xmin
-  // xmax ymin ... Returns false if it has none.
+  // Finds the box of the ellipsoid of particle k, relative to its block: xmin xmax ymin ... Returns
+  // false without an ellipsoid.
   bool FindBox(std::uint32_t k, float (&box)[6]) const;
 
   // Finds the vector, two own radii long, away from the neighbours of a particle at the edge of a
@@ -193,18 +197,18 @@ private:
   // Columns of particles near a surface.
   UnsetVector<float> EX, EY, EZ, EReach2;
   UnsetVector<NodeEllipsoid> Ellipsoids;
-  // Found before the strengths.
+  // Results of the first pass.
   UnsetVector<float> Deep, Thin, Shape, Lone;
   UnsetVector<float> Places;      // Away x y z, Across x y z
-  UnsetVector<float> Share, Lack; // of those at the surface; else 0
+  UnsetVector<float> Share, Lack; // of particles at the surface; otherwise 0
 
-  // Particles at the surface, in the same order.
+  // Particles at the surface, in the order of the rows.
   struct SurfaceColumns
   {
     UnsetVector<float> X, Y, Z, Wide2, InverseWide2, Share, Lack;
   };
   SurfaceColumns Surface;
-  UnsetVector<std::uint32_t> SurfaceBefore; // how many are before each particle near a surface
+  UnsetVector<std::uint32_t> SurfaceBefore; // number of particles at the surface before each row
 };
 
 }

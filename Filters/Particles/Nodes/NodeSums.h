@@ -1,5 +1,5 @@
-// The potential of ellipsoids at the nodes of a leaf, eight nodes side by side, in the order of the
-// particles.
+// Potential of ellipsoids at the nodes of a leaf, eight nodes in SIMD lanes, summed in the order of
+// the particles.
 
 #ifndef NodeSums_h
 #define NodeSums_h
@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-// dT Metric d = 1 [voxels], metric: xx xy xz yy yz zz; Extent: of its box, from the centre.
+// Surface: d^T Metric d = 1 [voxels]. Metric: xx xy xz yy yz zz. Extent: half of the box's sides.
 struct NodeEllipsoid
 {
   float Metric[6];
@@ -19,14 +19,14 @@ struct NodeEllipsoid
   float Extent[3];
 };
 
-// Centres, relative to some origin, and squared reaches, of eight more than there are.
+// Centres, relative to the block, and squared support radii, padded by LanePadding.
 struct EllipsoidColumns
 {
   const float *X, *Y, *Z, *Reach2;
 };
 
 // Finds 1 - (sum of strength (1 - d^2)^3)^(1/4) at the nodes of some rows of a leaf, 1 at others.
-// Shifts of the runs are from the first node of the leaf.
+// Shifts of the runs are relative to the first node of the leaf.
 void FindPotential(const EllipsoidColumns& columns, const NodeEllipsoid* ellipsoids,
   const ParticleRuns& runs, std::uint64_t rows, float* values);
 

@@ -12,10 +12,10 @@ namespace activesurface
 namespace
 {
 
-// Up to where kernels end, beyond the first own radius [own radii].
+// Distance from the first own radius to the end of a kernel [own radii].
 constexpr double BeyondDense = 3.6;
 
-// Cells are no smaller than a share of a voxel.
+// Cells are at least 1 / CellsOfVoxel of a voxel wide.
 constexpr double CellsOfVoxel = 4.0;
 
 int NumberOf(const NodeIndex& offset)
@@ -55,8 +55,8 @@ void ParticleBlocks::FindNear(double reach)
   this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
 }
 
-// From a cell in the middle of a cube to a node beyond the skin [cells]. beyond: of the skin from
-// the cube [length].
+// Number of cells from the cell of a cube's centre to a node beyond the skin. beyond: distance from
+// the cube to the skin [length].
 int ParticleBlocks::CountOutward(double beyond) const
 {
   constexpr double rounding = 1e-6;
@@ -78,7 +78,7 @@ void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
   this->Inward = this->CountOutward(0.0);
 }
 
-// Where a particle is, and the blocks that a mask may reach from it.
+// Finds the block of a particle, and the range of blocks that a mask may touch from it.
 ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
 {
   CubePlace found;
@@ -137,7 +137,7 @@ void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
   }
 }
 
-// Places are found in parallel, some at a time; blocks are added in the order of the particles.
+// Finds positions in parallel, batch by batch; adds blocks in the order of the particles.
 void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
 {
   constexpr std::size_t most = std::size_t(1) << 15;
@@ -192,7 +192,7 @@ void ParticleBlocks::Sort()
     this->Order[place] = static_cast<std::uint32_t>(n);
     this->BlockOf[place] = home;
   }
-  for (Block& block : this->Blocks) // each start has become the next one
+  for (Block& block : this->Blocks) // each start now is that of the next part
   {
     std::copy_backward(block.Starts, block.Starts + Parts, block.Starts + Parts + 1);
   }

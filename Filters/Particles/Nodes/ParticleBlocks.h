@@ -1,9 +1,10 @@
-// Particles sorted by cells, in blocks of 8^3 cells; and the cells in which their surface can be.
+// Particles sorted by cells, in blocks of 8^3 cells; and the shell, the cells that may contain
+// their surface.
 //
-// A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills
-// a cube of its own size. Cells whose neighbourhood is full hold no surface, nor do those far from
-// any particle: what is left is the shell. The filling is counted in integers, so that it does not
-// depend on the order of particles.
+// A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills a
+// cube of its own size. Cells with a full neighbourhood contain no surface, nor do cells far from
+// any particle; the remaining cells are the shell. The filling is an integer sum, independent of
+// the order of particles.
 
 #ifndef ParticleBlocks_h
 #define ParticleBlocks_h
@@ -36,7 +37,7 @@ struct CellMask
   static constexpr int Bit(int y, int z) { return 8 * y + z; }
   bool Has(int x, int y, int z) const { return ((this->Word[x] >> Bit(y, z)) & 1) != 0; }
   void Add(int x, int y, int z) { this->Word[x] |= std::uint64_t(1) << Bit(y, z); }
-  // The eight cells along z.
+  // Returns the eight cells along z.
   unsigned Row(int x, int y) const { return (this->Word[x] >> (8 * y)) & 0xffu; }
 
   bool Any() const
@@ -49,8 +50,8 @@ struct CellMask
     return any != 0;
   }
 
-  // The cells whose neighbour before or after them on an axis, or which themselves, are in the
-  // mask. before, after: the masks of the blocks there.
+  // Adds the neighbours before and after each cell on an axis. before, after: the masks of the
+  // blocks there.
   CellMask Widen(const CellMask& before, const CellMask& after, int axis) const
   {
     CellMask wide;
@@ -82,11 +83,11 @@ struct ParticleCube
 {
   double Position[3];
   double HalfSide; // own radius
-  double Shell;    // nodes within this distance of its centre are in the shell [length]
-  double Filling;  // in [0,1]: 1 where it is of full strength
+  double Shell;    // radius of the ball whose nodes are in the shell [length]
+  double Filling;  // in [0,1]: 1 at full strength
 };
 
-// Particles that are asked for one by one, several times each and by several threads.
+// Particles, read one by one, repeatedly and by several threads at once.
 class ParticleCubes
 {
 public:
@@ -100,30 +101,30 @@ protected:
 class ParticleBlocks
 {
 public:
-  // Parts of a block, of 2^3 cells each, by which particles are sorted.
+  // Particles are sorted by parts of a block, of 2^3 cells each.
   static constexpr int PartsOfSide = 4;
   static constexpr int Parts = PartsOfSide * PartsOfSide * PartsOfSide;
-  // Cells are no smaller than a share of the largest cube, so that each cube is in few cells.
+  // The largest cube is at most this number of cells wide.
   static constexpr double MostCellsOfCube = 16.0;
 
   struct Block
   {
-    NodeIndex At; // in blocks
+    NodeIndex At; // in units of blocks
     std::uint32_t Starts[Parts + 1];
     CellMask Occupied;
     CellMask Open;  // not full
-    CellMask Dense; // with particles of twice the usual density
-    CellMask Near;  // from which kernels reach one that is not full
+    CellMask Dense; // particles at twice the usual density
+    CellMask Near;  // kernels from here may touch cells that are not full
   };
 
   struct Options
   {
     double VoxelSize = 1.0;
-    double Reach = 0.0;    // of the longest kernel [length]
-    bool HasInside = true; // whether full cells are inside, whatever the kernels are
+    double Reach = 0.0;    // largest support radius [length]
+    bool HasInside = true; // full cells are inside, whatever the kernels
   };
 
-  // Keeps its memory.
+  // Reuses allocated memory.
   void Build(const ParticleCubes& cubes, const Options& options);
 
   std::size_t Size() const { return this->Blocks.size(); }
@@ -138,12 +139,12 @@ public:
   double GetCellSize() const { return this->CellSize; }
   double GetBlockSize() const { return 8.0 * this->CellSize; }
 
-  // Numbers of the particles, by blocks and parts of them.
+  // Indices of the particles, sorted by block and part.
   const UnsetVector<std::uint32_t>& GetOrder() const { return this->Order; }
-  // The block of each particle, in this order.
+  // The block of each particle, in the order of GetOrder.
   const UnsetVector<std::uint32_t>& GetBlockOf() const { return this->BlockOf; }
 
-  // The cell of a node, or of a place [voxels].
+  // Returns the cell of a coordinate [voxels].
   int CellOf(double place) const
   {
     constexpr double farthest = 1e9;
@@ -151,7 +152,7 @@ public:
     return static_cast<int>(std::min(std::max(cell, -farthest), farthest));
   }
 
-  // The cells in which the surface can be.
+  // Returns the cells that may contain the surface.
   static CellMask ShellOf(const Block& block)
   {
     CellMask shell;
@@ -161,7 +162,7 @@ public:
     }
     return shell;
   }
-  // Returns true if kernels of particles in a part reach the shell.
+  // Returns true if kernels of particles in a part touch the shell.
   static bool IsNearSurface(const Block& block, int x, int y, int z)
   {
     constexpr std::uint64_t part = 0x0303;
@@ -174,8 +175,8 @@ public:
     return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
   }
 
-  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]; block:
-  // which one they are in.
+  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]. block: the
+  // block of the run.
   template <class Visit>
   void VisitRuns(const double (&low)[3], const double (&high)[3], Visit&& visit) const
   {
@@ -231,7 +232,7 @@ private:
   void ChooseCells(const ParticleCubes& cubes);
   struct CubePlace
   {
-    NodeIndex At, Low, High; // its block, and the range of those around it
+    NodeIndex At, Low, High; // block of the particle, and range of blocks around it
     std::uint8_t Part;
   };
   CubePlace FindPlace(const ParticleCube& cube) const;
@@ -246,10 +247,10 @@ private:
   struct ShellBall
   {
     double Place[3], Reach; // [voxels]
-    int First[3], Last[3];  // cells of its box
+    int First[3], Last[3];  // range of the cells of its box
   };
   void OccupyIn(Block& block, const ShellBall& ball) const;
-  // The block of a cell, which is often that of the particle.
+  // Returns the block of a cell, often the particle's own block (home).
   std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
   {
     const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
@@ -266,12 +267,12 @@ private:
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;
-  std::vector<std::uint32_t> Around; // of each block, one bit for each of 27 that exist
-  UnsetVector<CubePlace> Places;     // of some particles
+  std::vector<std::uint32_t> Around; // per block, one bit for each existing block of the 27 around
+  UnsetVector<CubePlace> Places;     // of one batch of particles
   UnsetVector<std::uint32_t> Homes;
   UnsetVector<std::uint8_t> PartOf;
   UnsetVector<std::uint32_t> Order, BlockOf;
-  std::vector<std::uint32_t> Filling; // 512 for each block
+  std::vector<std::uint32_t> Filling; // 512 per block
   std::vector<CellMask> Wide;
 };
 

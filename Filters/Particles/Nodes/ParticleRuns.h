@@ -1,4 +1,4 @@
-// Runs of particles that follow one another in the order of their blocks.
+// Runs of particles that are consecutive in the order of the blocks.
 
 #ifndef ParticleRuns_h
 #define ParticleRuns_h
@@ -10,7 +10,7 @@
 namespace activesurface
 {
 
-// Columns have this many numbers more than there are particles.
+// Columns are padded by this number of values.
 constexpr std::size_t LanePadding = 8;
 
 struct ParticleRun

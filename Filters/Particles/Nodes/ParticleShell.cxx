@@ -1,4 +1,4 @@
-// The cells in which the surface of particles can be.
+// Finds the cells that may contain the surface of particles.
 
 #include "Nodes/ParticleBlocks.h"
 
@@ -14,16 +14,16 @@ namespace activesurface
 namespace
 {
 
-// Filling by a cube of a cell's size.
+// Filling of a cell by a cube of its size.
 constexpr std::uint32_t FillingOfCell = 256;
-// A cell is full if the sum of 27 cells with the weights 1 2 1, 64 in all, is at least this.
+// A cell is full if the sum over 3^3 cells, weighted 1 2 1 (64 in all), is at least this.
 constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
-// Limit of the filling of a cell: dense particles do not fill the cells next to theirs.
+// Limit of a cell's filling: dense particles do not fill the neighbouring cells.
 constexpr std::uint32_t MostFilling = FillingOfCell * 3 / 2;
 // From twice the density of the fluid on, the sum of kernels is large beyond the own radii, up to
 // where the kernels end. (The sum grows with the density and with the fifth power of the depth: at
-// lower densities the skin is off by less than .45 own radii.)
+// lower densities the skin is off by less than 0.45 own radii.)
 constexpr std::uint32_t DenseFilling = FillingOfCell * 2;
 
 constexpr int BlocksPerTask = 8;
@@ -66,7 +66,7 @@ void ParticleBlocks::FillCells(const ParticleCubes& cubes)
     });
 }
 
-// Shares by the overlap of the cube and the cells.
+// Distributes the filling by the overlap of the cube and the cells.
 void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
 {
   constexpr int most = static_cast<int>(MostCellsOfCube) + 3;
@@ -108,7 +108,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
   }
 }
 
-// Cells of the shell around particles whose kernels reach cells that are not full.
+// Adds the cells around particles whose kernels touch cells that are not full.
 void ParticleBlocks::OccupyCells(const ParticleCubes& cubes)
 {
   RunPieces(this->Blocks.size(), BlocksPerTask,
@@ -155,7 +155,7 @@ void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
   }
 }
 
-// Rows of cells that the ball touches, from end to end of its box.
+// Adds rows of cells that the ball touches; a row extends over the ball's box.
 void ParticleBlocks::OccupyIn(Block& block, const ShellBall& ball) const
 {
   int first[3], last[3];
@@ -266,8 +266,7 @@ void ParticleBlocks::FindOpenOf(Block& block) const
   }
 }
 
-// Adds the cells around a mask, `times` times. outside: whether cells of missing blocks are in the
-// mask.
+// Dilates a mask `times` times. outside: true if cells of missing blocks count as in the mask.
 void ParticleBlocks::Widen(CellMask Block::*mask, bool outside, int times)
 {
   const CellMask other = outside ? CellMask::All() : CellMask();

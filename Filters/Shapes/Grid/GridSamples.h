@@ -17,11 +17,11 @@ class VTKACTIVESHAPES_EXPORT GridSamples
 public:
   virtual ~GridSamples() = default;
 
-  // Negative inside; gradient: three numbers, or null. Returns NaN if x is not finite.
+  // Returns the value, negative inside; NaN if x is not finite. gradient: three numbers, or null.
   virtual double Evaluate(const double x[3], double* gradient) const = 0;
 
-  // Box outside which the function is not negative. Returns false, and leaves the bounds, if the
-  // function is never negative.
+  // Finds a box that contains all points where the function is negative. Returns false, with bounds
+  // unchanged, if the function is never negative.
   virtual bool GetBounds(double bounds[6]) const = 0;
 
   // Finds the region below a level, on the lattice of the samples. Returns false if the region is
@@ -33,7 +33,7 @@ public:
     return false;
   }
 
-  // Points of the surface; empty if they are unavailable.
+  // Samples the surface; returns an empty sample if unavailable.
   virtual SurfaceSample SampleSurface() const { return {}; }
 
 protected:

@@ -81,7 +81,7 @@ void CheckExtent(const int extent[6])
   }
 }
 
-// Accepts axes that are orthogonal within a tolerance, because matrices of scanners are rounded.
+// Accepts axes that are orthogonal within a tolerance, because scanners round their matrices.
 bool AreOrthogonal(const double axis[3][3])
 {
   constexpr double tolerance = 1e-3;
@@ -246,9 +246,9 @@ double ImageSamples::GetSample(const int pixel[3]) const
 }
 
 // Samples crossings along every `skip`-th line of each axis; at most about 4 million pixels are
-// read. A crossing stands for the cross-section between lines, projected along its line. Crossings
-// of one axis count n_axis^2 of each piece, so all three axes count it once: n_x^2 + n_y^2 + n_z^2
-// = 1.
+// read. A crossing represents the cross-section between lines, projected along its line. Crossings
+// of one axis count n_axis^2 of each surface element, so all three axes count it once: n_x^2 +
+// n_y^2 + n_z^2 = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

@@ -19,7 +19,7 @@ namespace activesurface
 
 struct ImageLevel
 {
-  std::string ArrayName; // empty: the active scalars, else the first array of one component
+  std::string ArrayName; // empty: the active scalars, otherwise the first array of one component
   double IsoValue = 0.0;
   bool InvertInside = false;
 };
@@ -31,7 +31,7 @@ class ImageSamples : public GridSamples
 {
 public:
   // Keeps the array, which must not change during use. Throws std::invalid_argument, with a
-  // sentence, for a flat image, a missing array or axes that are not orthogonal.
+  // message, for a flat image, a missing array or axes that are not orthogonal.
   ImageSamples(vtkImageData* image, const ImageLevel& level);
   ~ImageSamples() override;
 
@@ -55,7 +55,7 @@ private:
   double Sign; // of the samples
   int Extent[6];
   double Origin[3];
-  double Axis[3][3];    // from a pixel to the next one along each axis [length]
+  double Axis[3][3];    // from a pixel to the next along each axis [length]
   double Inverse[3][3]; // rows give lattice coordinates
   double Spacing[3];    // length of the axes, positive
   double Slack;         // rounding of lattice coordinates [pixels]

@@ -1,5 +1,5 @@
-// Samples of a sparse level set, which an image carries in place of pixels. Values are trilinear
-// between voxels. Beyond the band they are the level set's background, + or - a constant.
+// Samples of a sparse level set, which is attached to an image instead of pixels. Values are
+// trilinear between voxels. Beyond the band they are the level set's background, + or - a constant.
 
 #ifndef LevelSetSamples_h
 #define LevelSetSamples_h
@@ -14,7 +14,7 @@ namespace activesurface
 class LevelSetSamples : public GridSamples
 {
 public:
-  // Keeps the grid. Throws std::invalid_argument, with a sentence, for a grid without active voxels
+  // Keeps the grid. Throws std::invalid_argument, with a message, for a grid without active voxels
   // or a level that is not finite.
   LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const ImageLevel& level);
   ~LevelSetSamples() override;

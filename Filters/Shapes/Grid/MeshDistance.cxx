@@ -118,7 +118,7 @@ double Walk::FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const
   return least;
 }
 
-// Corrects distances beyond `exact` voxels by a walk; nearer ones are exact. OpenVDB ignores walls
+// Corrects distances beyond `exact` voxels by a walk; shorter ones are exact. OpenVDB ignores walls
 // inside overlapping bodies, but the mesh still contains them. A walk that shortens the distance by
 // a voxel or more has found such a wall and is ignored.
 void Shorten(

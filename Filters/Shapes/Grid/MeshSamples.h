@@ -13,9 +13,9 @@ namespace activesurface
 
 struct MeshMeasure
 {
-  double VoxelSize = Automatic; // longest side of the mesh / 64
-  double Reach = Automatic;     // diagonal of the mesh / 8
-  double Thickness = 0.0;       // of the shell made of a mesh that is not closed; 0: no shell
+  double VoxelSize = Automatic; // automatic: longest side of the mesh / 64
+  double Reach = Automatic;     // automatic: diagonal of the mesh / 8
+  double Thickness = 0.0;       // of the shell around an open mesh; 0: no shell
   double MaximumNumberOfVoxels = 0.0;
 };
 

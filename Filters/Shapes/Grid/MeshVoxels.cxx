@@ -19,7 +19,7 @@ namespace
 // Corners of a triangle, in units of a cube's edge.
 using Corners = std::array<openvdb::Vec3d, 3>;
 
-// Counts the cubes that triangles pass, up to a maximum.
+// Counts the cubes that triangles cross, up to a maximum.
 class Cubes
 {
 public:
@@ -44,7 +44,7 @@ private:
   openvdb::tree::ValueAccessor<openvdb::MaskTree> Passed;
 };
 
-// Number of parts, at most half a cube long, of a length.
+// Returns the number of equal parts, at most half a cube long, of a length.
 double CountParts(double length)
 {
   return std::max(std::ceil(2.0 * length), 1.0);
@@ -84,7 +84,7 @@ void Cubes::Add(const Corners& triangle)
                        &c = triangle[(first + 2) % 3];
   const openvdb::Vec3d edge = b - a;
   const double square = edge.lengthSqr();
-  const double foot = square > 0.0 ? (c - a).dot(edge) / square : 0.5; // of c's projection
+  const double foot = square > 0.0 ? (c - a).dot(edge) / square : 0.5; // c's projection on the edge
   const double count = CountParts(std::sqrt(square));
   for (double i = 0.5; i < count && !this->AreTooMany(); i += 1.0)
   {

@@ -12,9 +12,8 @@ struct MeshTriangles;
 // for voxels. Stops beyond the maximum and then returns a larger number than the maximum.
 //
 // The mesh's box, enlarged by the band, is an upper bound. If it exceeds the maximum, cubes of
-// twice the band that the mesh passes are counted. The count is exact for a flat mesh along two
-// axes and for a line along an axis. In other directions it is up to one and a half times too
-// large.
+// twice the band that the mesh crosses are counted. The count is exact for a flat mesh along two
+// axes and for a line along an axis. In other directions it is up to 1.5 times too large.
 double EstimateVoxelsNear(const MeshTriangles& mesh, double voxelSize, double band, double maximum);
 
 }

@@ -292,8 +292,8 @@ openvdb::FloatTree Caps::FindSigns() const
   return signs;
 }
 
-// Surface nets: a point in each cell that a cap crosses, the mean of the crossings of the cell's
-// edges, and a quadrangle around each such edge.
+// Adds caps as surface nets: a point in each cell that a cap crosses, the mean of the crossings of
+// the cell's edges, and a quadrangle around each such edge.
 void Caps::AddTo(MeshTriangles& mesh) const
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

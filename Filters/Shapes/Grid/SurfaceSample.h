@@ -27,7 +27,7 @@ struct SurfaceSample
   static constexpr std::size_t Most = 8192;
 
   std::vector<SurfacePoint> Points;
-  double Detail = std::numeric_limits<double>::infinity(); // the function is smooth within [length]
+  double Detail = std::numeric_limits<double>::infinity(); // smooth within [length]
   bool IsMiddle = false; // of a shell: points are half the thickness below its surface
 };
 

@@ -13,7 +13,7 @@ namespace activesurface
 namespace
 {
 
-/** Wraps shared content as an object that vtkInformation can hold. */
+/** Wraps shared content as an object for vtkInformation. */
 template <class Content>
 class Attachment : public vtkObjectBase
 {

@@ -31,11 +31,11 @@ struct AttachedState
   std::shared_ptr<const NarrowBand> Skin;
   bool IsAtStep = false; //< true if the motion can resume from the state
   int Step = 0;          //< index of the time step, or of the previous one
-  /** Point arrays of the whole skin on rank 0 if the output is one rank's part; else null. */
+  /** Point arrays of the whole skin on rank 0 if the output is one rank's part; otherwise null. */
   vtkSmartPointer<vtkPointData> WholeArrays;
-  std::vector<std::pair<std::string, double>> Motion; //< properties that shape the motion
-  /** Where Skin is one rank's part: makes the same of all of it, on rank 0, else null. Collective.
-   */
+  std::vector<std::pair<std::string, double>> Motion; //< properties that determine the motion
+  /** Set if Skin is one rank's part. Returns the state of the whole skin on rank 0, null on other
+   * ranks. Collective. */
   std::function<std::shared_ptr<const AttachedState>()> Gather;
 };
 

@@ -10,7 +10,7 @@
 namespace activesurface
 {
 
-// Calls visit(list of point ids) for each cell; for none if cells is null.
+// Calls visit(list of point ids) for each cell; cells may be null.
 template <class Visit>
 void ForEachCell(vtkCellArray* cells, Visit visit)
 {

@@ -22,8 +22,8 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // Each replaces the other kind of input. Returns true on a change, whose time is later than every
-  // time FindMTime has returned.
+  // Each call replaces the other kind of input. Returns true on a change; the time of the change is
+  // later than every time that FindMTime has returned.
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
 
@@ -41,7 +41,7 @@ public:
   template <class Read>
   void ReadIfChanged(vtkMTimeType changed, Read&& read);
 
-  // Updates all of the algorithm's output at the time of the last request. For a single thread.
+  // Updates all of the algorithm's output at the time of the last request. Not thread-safe.
   void Update();
 
 private:
@@ -51,7 +51,7 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer;
   int Port = 0;
 
-  // State of the algorithm at the last check.
+  // State of the algorithm at the last FindMTime.
   vtkMTimeType PipelineTime = 0;
   vtkMTimeType DataTime = 0;
   std::atomic<vtkMTimeType> Changed{ 0 };

@@ -1,5 +1,5 @@
 // Converts the polygons and strips of a vtkPolyData to triangles on merged points, and reports
-// defects. It serves all code that needs the inside of a mesh.
+// defects. All code that needs the inside of a mesh uses this conversion.
 //
 // A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
 // crossings of a path to infinity then determine whether a point is inside. Bodies may touch along
@@ -52,12 +52,12 @@ struct VTKACTIVESHAPES_EXPORT MeshTriangles
 };
 
 // Merges points of equal coordinates, so that separate triangles with coincident corners form a
-// closed mesh. Concave polygons are triangulated correctly. Quadrangles are cut the same way with
-// any release of VTK. Lines and vertices are ignored.
+// closed mesh. Concave polygons are triangulated correctly. Quadrangles are cut in the same way by
+// every release of VTK. Lines and vertices are ignored.
 VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
-// Bounding box of the polygons and strips, except broken ones, at a small part of the cost. x min >
-// x max if there are none. vtkPolyData's own function fails for a point that does not exist.
+// Bounding box of the polygons and strips, except broken ones, much cheaper than ReadTriangles. x
+// min > x max if there are none. vtkPolyData's own function fails for a point that does not exist.
 VTKACTIVESHAPES_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
 
 }

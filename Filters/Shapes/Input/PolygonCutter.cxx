@@ -57,7 +57,7 @@ const std::vector<PolygonCutter::Triangle>& PolygonCutter::Cut(const std::vector
 }
 
 // Chooses the diagonal independently of the release of VTK: the one whose triangles face the same
-// side. If both do or neither does, the shorter one is chosen; of equal ones, the second.
+// side. If both or neither do, chooses the shorter one; of equal ones, the second.
 void PolygonCutter::CutQuadrangle(const std::vector<Point>& corners)
 {
   const Point &a = corners[0], &b = corners[1], &c = corners[2], &d = corners[3];

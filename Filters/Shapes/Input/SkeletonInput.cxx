@@ -116,7 +116,7 @@ std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
   return segments;
 }
 
-// Flags the points that are elements of their own.
+// Flags the points that are elements: points of vertices, and points without segments.
 std::vector<bool> FindLonePoints(
   vtkPointSet* input, const std::vector<Ends>& segments, std::size_t& ignored)
 {

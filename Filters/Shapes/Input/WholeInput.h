@@ -1,4 +1,4 @@
-// Requests the whole of an input, whatever piece of an output is requested.
+// Requests the whole of an input, for any requested piece of an output.
 
 #ifndef WholeInput_h
 #define WholeInput_h

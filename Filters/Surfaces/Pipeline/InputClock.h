@@ -34,11 +34,11 @@ public:
   // Uses the times of pushed frames as the steps.
   void Read(const std::vector<double>& pushed);
 
-  // Call this before data for a time are requested. Returns true if the target starts a new
-  // sequence of times, so that earlier data are to be discarded.
+  // Call this before requesting data for a time. Returns true if the target starts a new sequence
+  // of times, so that earlier data have to be discarded.
   bool Request(vtkInformation* target, double time);
 
-  // Returns true if the steps are the times of pushed frames; GetNewest returns the last of them.
+  // Returns true if the steps are the times of pushed frames. GetNewest returns the last time.
   bool ArePushed() const { return this->IsPushed; }
   PipelineTime GetNewest() const { return { this->Steps.back() }; }
 
@@ -46,7 +46,7 @@ public:
   void WriteTo(SurfaceInputs& inputs) const;
 
   // TIME_STEPS to publish. For a target that offers no time twice these are the target's own steps,
-  // which may be empty. Empty for pushed frames, of which only the newest is available.
+  // which may be empty. Empty for pushed frames, because only the newest is available.
   const std::vector<double>& GetPublishedSteps() const { return this->Published; }
 
 private:

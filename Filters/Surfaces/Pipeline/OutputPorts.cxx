@@ -37,8 +37,6 @@ namespace activesurface
 namespace
 {
 
-// Attaches the time and the surface's state to an output, for file writers.
-
 // Gathers the state of all ranks, with the skin's arrays that need no particles. Null on ranks that
 // do not receive the whole band. Collective.
 std::shared_ptr<const AttachedState> GatherState(
@@ -66,8 +64,9 @@ std::shared_ptr<const AttachedState> GatherState(
   return whole;
 }
 
-// The simulation must be at the requested time. arrays: the arrays of the whole skin if `data` has
-// only this rank's part; else null.
+// Attaches the time and the surface's state to an output, for file writers. The simulation must be
+// at the requested time. arrays: arrays of the whole skin if `data` has only this rank's part;
+// otherwise null.
 void AttachState(const OutputProperties& properties, const SurfaceSimulation& simulation,
   vtkDataObject* data, vtkPointData* arrays)
 {
@@ -91,8 +90,6 @@ void AttachState(const OutputProperties& properties, const SurfaceSimulation& si
   }
   Attach(data->GetInformation(), attached);
 }
-
-// Distributes the skin over the ranks of a parallel program.
 
 using Ranges = std::vector<Skin::TriangleRange>;
 
@@ -203,9 +200,9 @@ void KeepTriangles(
 }
 
 // Reduces a skin to this rank's triangles and their points, and adds the array "GlobalPointIds"
-// with the point indices in the whole skin. Points at the border of two parts are in both, bitwise
-// identical. Returns the arrays of the whole skin on rank 0, for writers, if the band is whole;
-// else null. Changes nothing in a program of one process.
+// with the point indices in the whole skin. Points at the border of two parts are in both parts,
+// bitwise identical. Returns the arrays of the whole skin on rank 0, for writers, if the band is
+// whole; otherwise null. Changes nothing in a program of one process.
 vtkSmartPointer<vtkPointData> KeepShare(
   const NarrowBand& band, const OutputShare& share, vtkPolyData* skin)
 {
@@ -224,8 +221,8 @@ vtkSmartPointer<vtkPointData> KeepShare(
   return whole;
 }
 
-// The history is filled along with each requested port. Exception: on one process, not with a piece
-// other than piece 0.
+// Returns true for the requested port, for the history, and for Potential if it is an output. On
+// one process, a piece other than piece 0 has no history.
 bool IsFilled(int port, const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector* output)
 {

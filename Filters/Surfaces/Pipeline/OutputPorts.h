@@ -28,7 +28,8 @@ public:
   };
 
   // Returns true if the request yields no data: on one process, a piece other than piece 0 of the
-  // skin or the history, as piece 0 is complete. With several ranks, each request fills an output.
+  // skin or the history, because piece 0 is complete. With several ranks, each request fills an
+  // output.
   static bool IsForNothing(
     const OutputShare& share, vtkInformation* request, vtkInformationVector* output);
 

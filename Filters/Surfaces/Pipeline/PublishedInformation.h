@@ -16,11 +16,11 @@ namespace activesurface
 
 struct SurfaceDomain;
 
-// The output port that a request is for.
+// Returns the output port of a request.
 int RequestedPort(vtkInformation* request);
 
 // Publishes the steps. Publishes no times if hasNone: for a surface in equilibrium, which has no
-// time, and for pushed frames, of which only the newest is available. Without steps, the output
+// time, and for pushed frames, because only the newest is available. Without steps, the output
 // keeps the times that VTK copied from the input.
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone);
 void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
@@ -34,9 +34,9 @@ void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 // image.
 void RequestSomeExtent(vtkInformation* output, const OutputShare& share);
 
-// Returns true if a piece other than piece 0 is requested. If a parallel program distributes the
-// outputs of single-process filters, piece 0 has all of the skin and the history, and each rank
-// gets its own part of the image.
+// Returns true if a piece other than piece 0 is requested. Parallel programs may distribute the
+// outputs of single-process filters. Then piece 0 has all of the skin and the history, and each
+// rank gets its own part of the image.
 bool IsOtherPiece(vtkInformation* output);
 
 }

@@ -56,8 +56,8 @@ PushedFrames::PushedFrames(vtkAlgorithm* filter)
 {
 }
 
-// Breaks the reference cycle of the producer and its executive, which VTK's garbage collector does
-// not find when it deletes the filter.
+// Breaks the reference cycle of the producer and its executive: VTK's garbage collector does not
+// find this cycle when it deletes the filter.
 PushedFrames::~PushedFrames()
 {
   this->Producer->SetOutput(nullptr);

@@ -33,15 +33,15 @@ public:
   // Returns true if port 0 is connected to the frames.
   bool AreConnected() const;
 
-  // Makes the data the newest frame, at dt after the previous one, and connects port 0 to the
-  // frames. The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument
-  // for invalid data or dt, and then changes nothing.
+  // Makes the data the newest frame, dt after the previous one, and connects port 0 to the frames.
+  // The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument for
+  // invalid data or dt, and then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Removes the newest frame; the previous one is the newest again.
   void Withdraw();
   // Makes the newest frame the first one.
   void ForgetPast() { this->Times = { this->Times.back() }; }
-  // Makes the next frame the first one.
+  // Discards all frames; the next frame becomes the first one.
   void Stop() { this->Times.clear(); }
 
 private:

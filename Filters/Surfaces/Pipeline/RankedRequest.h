@@ -1,4 +1,4 @@
-// Checks that all ranks of a parallel program make the same request: one skin, one time.
+// Checks that all ranks of a parallel program request the same skin at the same time.
 
 #ifndef RankedRequest_h
 #define RankedRequest_h
@@ -18,8 +18,8 @@ namespace activesurface
 bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   const SurfaceSimulation& simulation, int port, PipelineTime time);
 
-// Runs a task. If memory runs out, on this rank or on another one, calls startAnew() and throws
-// std::runtime_error with this sentence.
+// Runs a task. If memory runs out on any rank, calls startAnew() and throws std::runtime_error with
+// this sentence.
 void RunWithinMemory(
   const std::function<void()>& task, const std::function<void()>& startAnew, const char* sentence);
 

@@ -71,8 +71,8 @@ bool HasRequested(const OutputProperties& properties, bool SkinArray::*need)
     { return array.*need && properties.*array.IsRequested; });
 }
 
-// Limits a vector to the length `longest`. The normal part is shortened first, as the tangential
-// part is the particles' own velocity; that part is shortened only if it is longer than `longest`
+// Limits a vector to the length `longest`. Shortens the normal part first, because the tangential
+// part is the particles' own velocity. Shortens the tangential part only if it exceeds `longest`
 // itself.
 void ShortenVector(double longest, const double normal[3], float* vector)
 {

@@ -23,13 +23,13 @@ vtkGridPotential* SurfaceRequests::GetSkinFunction()
 void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
 {
   this->Update.Refuse("Advance");
-  if (!this->Simulation.HasBegun()) // the first frame was refused
+  if (!this->Simulation.HasBegun()) // if the first frame was rejected
   {
     this->Pushed.Stop();
   }
   if (data && this->Target.IsConnected() && !this->Pushed.AreConnected())
   {
-    this->Target.Check(data); // refused data must not replace another input
+    this->Target.Check(data); // rejected data must not replace another input
   }
   this->Pushed.Push(properties, data, dt);
 }

@@ -65,7 +65,7 @@ bool HasNothing(vtkDataObject* data)
 
 }
 
-// Chosen arrays of one data set.
+// The user's chosen arrays in one data set.
 class SurfaceInput::ArraysOf : public ChosenArrays
 {
 public:
@@ -191,7 +191,7 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
   const OwnPiece own = HasNothing(object) ? OwnPiece() : this->MakeOwn(AsDataSet(object), kept);
   const std::string name = "The input of port " + std::to_string(this->Port);
   const AllPieces all = AgreeOnPieces(this->Ranks, own.Facts, name);
-  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // throws, as in one process
+  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // throws, like one process
   {
     return readOwn();
   }
@@ -200,7 +200,7 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
     return this->ReadHome(own, all, kept, name);
   }
   std::shared_ptr<InputShape> whole = this->ReadWhole(own.Piece, kept, name);
-  if (all.Kind == PieceKind::Particles) // the checksum that ReadHome sets
+  if (all.Kind == PieceKind::Particles) // ReadHome sets the other checksum
   {
     whole->Content = all.Content;
   }
@@ -249,7 +249,7 @@ void SurfaceInput::Check(vtkDataObject* data) const
   }
 }
 
-// Validates this rank's own data before the exchange, so that the error names this rank.
+// Validates this rank's data before the exchange, so that the error names this rank.
 SurfaceInput::OwnPiece SurfaceInput::MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const
 {
   OwnPiece own;

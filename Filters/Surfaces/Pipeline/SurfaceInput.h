@@ -73,7 +73,7 @@ public:
   std::shared_ptr<InputShape> Read(vtkInformation* information,
     const ParticleArrays& kept = ParticleArrays(), bool areShared = false) const;
 
-  // Throws as Read does, but only for the data of this rank.
+  // Throws like Read, but only for the data of this rank.
   void Check(vtkDataObject* data) const;
 
   // Requests all data, or this rank's piece, at the first time step or the start of the time range.

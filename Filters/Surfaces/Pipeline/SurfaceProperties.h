@@ -56,7 +56,7 @@ void ForEachLimit(Limits& limits, Visitor&& visit)
   ACTIVE_PROPERTY(MaximumNumberOfActiveVoxels, limits.MaximumVoxels, Any);
 }
 
-// Calls visit for all properties but functions and the controller.
+// Calls visit for all properties except functions and the controller.
 template <class Properties, class Visitor>
 void ForEachOfAll(Properties& properties, Visitor&& visit)
 {

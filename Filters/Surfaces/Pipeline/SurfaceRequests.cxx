@@ -146,7 +146,7 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   }
 }
 
-// Reads the data that the start needs, by updates from within.
+// Reads the data that the start needs, by updates within the request.
 void SurfaceRequests::ReadFirst(vtkInformationVector** input)
 {
   vtkInformation* target = Get(input, SurfaceInput::Target);
@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, it is requested at the target's time, which is the first
-  // one when the initial shape is needed.
+  // If both ports have the same source, it is requested at the target's time. When the initial
+  // shape is needed, this is the first time.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -249,7 +249,7 @@ private:
   SurfaceRequests& Requests;
 };
 
-// Later frames of a simulation that pushes are unavailable, so their spacing is not estimated here.
+// Frames that a simulation has not pushed yet are unavailable, so their spacing is not estimated.
 void SurfaceRequests::SettleSpacing(vtkInformation* target)
 {
   if (target && !this->Clock.ArePushed() && this->Simulation.WantsSpacing())
@@ -281,7 +281,7 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     });
 }
 
-// Gives an empty piece the time of the piece with data.
+// Gives an empty piece the time of a piece with data.
 void SurfaceRequests::PublishTimeOfNothing(
   const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output) const
 {
@@ -293,7 +293,7 @@ void SurfaceRequests::PublishTimeOfNothing(
     steps.empty() ? asked : PipelineTime{ FindStep(steps, asked.Value).Time }, isEquilibrium);
 }
 
-// Restarts all ranks if their states differ: some restart if something changed or failed upstream.
+// Restarts all ranks if their states differ, as when something changed or failed upstream of one.
 void SurfaceRequests::AgreeOnRequest(
   const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output)
 {

@@ -91,12 +91,12 @@ public:
   void RequestData(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
-  // Adds a frame, to which the next update advances. Throws as PushedFrames does.
+  // Adds a frame, to which the next update advances. Throws like PushedFrames.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Returns true if the last update reached the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
-  // Removes the newest frame if the last update refused it, and returns true; the previous frame is
-  // then the newest again. Call this if IsAtNewestFrame returns false.
+  // Removes the newest frame if the last update rejected it, and returns true; the previous frame
+  // is then the newest again. Call this if IsAtNewestFrame returns false.
   bool WithdrawFrame();
   // Makes the next update, or the next frame, start a new motion. Throws std::logic_error within an
   // update.

@@ -1,5 +1,5 @@
 // Requests time steps of the target's input: the first one in the usual pipeline pass, others by
-// updates from within.
+// updates within RequestData.
 
 #ifndef TargetSteps_h
 #define TargetSteps_h
@@ -34,11 +34,11 @@ public:
   // Reads the first step, and more steps to estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
-  // Adds the first step, which the input has now, if it is still missing.
+  // Adds the first step, the input's current data, if it is still missing.
   void TakeFirst(vtkInformation* target);
 
-  // Returns a step, by an update from within. mayGoBack: earlier steps are available again. Throws
-  // std::runtime_error if the step is unavailable.
+  // Returns a step, by an update within RequestData. mayGoBack: earlier steps are available again.
+  // Throws std::runtime_error if the step is unavailable.
   std::shared_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
 
   // Returns the current data of the input.

@@ -7,7 +7,7 @@
 namespace activesurface
 {
 
-// ParaView gives each filter its own executive.
+// ParaView gives each filter an executive of its own class.
 bool UserMessages::IsInParaView() const
 {
   return this->Filter->GetExecutive()->IsA("vtkPVCompositeDataPipeline");

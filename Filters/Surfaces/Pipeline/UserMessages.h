@@ -2,7 +2,7 @@
 //
 // ParaView opens a window for each warning and each error. It requests each output port separately,
 // and again for each view. If a request fails, each pipeline adds a message with the request. So
-// within ParaView the same warning is shown once, a note does not open the window, and the same
+// within ParaView the same warning is shown once, and a note does not open the window. The same
 // error is shown once after each change of the filter. The outputs are then empty.
 
 #ifndef UserMessages_h

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // bytes; MPI counts in int
-// Longer messages [bytes] are exchanged in pairs: no rank then holds a second copy of all bytes,
+// Longer messages [bytes] are exchanged in pairs. No rank then needs a second copy of all bytes,
 // and their sum may exceed the range of int, in which MPI counts.
 constexpr vtkIdType LongMessage = 1 << 16;
 

@@ -31,7 +31,7 @@ namespace activesurface
 namespace
 {
 
-// Serializes a piece of an input. Lossless: numbers keep their types and all bits.
+// Serializes a data set. Lossless: numbers keep their types and all bits.
 template <class Writer>
 std::string Write(vtkDataSet* data)
 {
@@ -90,8 +90,8 @@ void ReadGrid(const std::string& text, vtkDataSet* data)
   Attach(data->GetInformation(), openvdb::gridPtrCast<openvdb::FloatGrid>(grids->at(0)));
 }
 
-// Throw std::runtime_error if a piece cannot be written or read.
-// Layout: kind (1 byte), length of the data (8 bytes), data, grid.
+// Layout: kind (1 byte), length of the data (8 bytes), data, grid. Throws std::runtime_error if a
+// piece cannot be written.
 Bytes PackPiece(const InputPiece& piece)
 {
   Bytes bytes(1, static_cast<char>(piece.Kind));

@@ -27,7 +27,7 @@ struct AllPieces
   PieceKind Kind = PieceKind::Nothing; // if no rank has data
   bool HaveCells = false;
   std::uint64_t Points = 0;
-  std::uint64_t PointsBefore = 0; // in the pieces of lower ranks
+  std::uint64_t PointsBefore = 0; // points in the pieces of lower ranks
   std::uint64_t Content = 0;
 };
 
@@ -37,7 +37,7 @@ AllPieces AgreeOnPieces(const Agreement& ranks, const PieceFacts& own, const std
 
 // Assembles the pieces of all ranks and returns the same whole on each rank; an empty vtkPolyData
 // if no rank has data. `what` names the input in messages. Throws std::invalid_argument, with the
-// same message on each rank, for pieces that do not fit together. Collective.
+// same message on each rank, for incompatible pieces. Collective.
 vtkSmartPointer<vtkDataSet> GatherWhole(
   Agreement& ranks, const InputPiece& own, const std::string& what);
 

@@ -33,8 +33,8 @@ bool AreAlike(vtkAbstractArray* a, vtkAbstractArray* b)
     a->GetNumberOfComponents() == b->GetNumberOfComponents();
 }
 
-// Returns the array with this name of each piece, null for a null piece; empty if a piece lacks the
-// array.
+// Returns the array of this name of each piece, null for a null piece; empty if the array is
+// missing in a piece.
 std::vector<vtkAbstractArray*> FindArrays(
   const Pieces& pieces, const char* name, const std::string& what)
 {
@@ -164,7 +164,7 @@ bool AreOnOneLattice(vtkImageData* a, vtkImageData* b)
     std::equal(matrix, matrix + 9, b->GetDirectionMatrix()->GetData());
 }
 
-// Returns an image on the lattice of the pieces that covers all their extents. Skips null pieces.
+// Returns an image on the lattice of the pieces that contains all their extents. Skips null pieces.
 vtkSmartPointer<vtkImageData> MakeWholeImage(const Pieces& pieces, const std::string& what)
 {
   auto first = vtkImageData::SafeDownCast(FindFirst(pieces));

@@ -18,8 +18,8 @@ namespace activesurface
 void MakeOneCell(vtkPolyData* points);
 
 // Join pieces of one kind. A piece is null if its rank has no data; at least one is not null.
-// AppendPieces leaves out point arrays that are missing in a piece; AssembleImage throws for them.
-// Both throw std::invalid_argument for pieces that do not fit together.
+// AppendPieces omits point arrays that are missing in a piece; AssembleImage throws for them. Both
+// functions throw std::invalid_argument for incompatible pieces.
 vtkSmartPointer<vtkDataSet> AppendPieces(
   const std::vector<vtkDataSet*>& pieces, const std::string& what);
 vtkSmartPointer<vtkDataSet> AssembleImage(

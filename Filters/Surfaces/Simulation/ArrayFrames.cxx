@@ -8,7 +8,7 @@ namespace activesurface
 namespace
 {
 
-// Returns true if the interval is the one before the requested step.
+// Returns true for the interval before the requested step, false for the one after it.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target)
 {

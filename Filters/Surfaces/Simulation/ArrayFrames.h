@@ -1,4 +1,4 @@
-// Frames of the target that the arrays of the skin at the requested time are computed from.
+// Frames of the target from which the arrays of the skin at the requested time are computed.
 
 #ifndef ArrayFrames_h
 #define ArrayFrames_h
@@ -21,8 +21,8 @@ struct RequestedArrays
   ParticleArrays Kept;             // arrays of particles that are kept when frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
-  // Returns true if an output needs the whole skin on each rank. A skin that is distributed over
-  // ranks is then gathered.
+  // Returns true if an output needs the whole skin on each rank. A distributed skin is then
+  // gathered.
   bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
 };
 
@@ -35,15 +35,15 @@ struct ArrayFrames
   double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
 };
 
-// wantsWay: true for the interval up to the requested time (at the first step, the interval after
-// it), which particle velocities need; false for the frames at the requested time only.
+// Returns the interval up to the requested time (at the first step, the interval after it) if
+// wantsWay, for particle velocities. Otherwise returns the frames at the requested time only.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay);
 
 // Returns true if the arrays depend on the displacement of particles between two steps.
 bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target);
 
-// Returns true if the frame of a step is held and was read with the particle arrays needed.
+// Returns true if the frame of a step is stored and was read with the needed particle arrays.
 bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays);
 
 }

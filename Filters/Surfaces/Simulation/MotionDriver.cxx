@@ -20,8 +20,7 @@ namespace activesurface
 namespace
 {
 
-// A vtkImplicitFunction as an obstacle.
-
+// Returns the distance F / |grad F|, exact to first order. See MakeObstacle for |grad F| = 0.
 double FindDistance(double value, const double gradient[3])
 {
   const double slope = std::hypot(gradient[0], gradient[1], gradient[2]);
@@ -29,13 +28,13 @@ double FindDistance(double value, const double gradient[3])
   return std::isfinite(slope) && slope > 0.0 ? value / slope : far;
 }
 
-// The distances are F / |grad F|, exact to first order. Where the gradient vanishes or is not
-// finite, the distance is infinite with the sign of F, or 0 if F is 0. origin: origin of the
+// Makes an obstacle from an implicit function by FindDistance. Where the gradient vanishes or is
+// not finite, the distance is infinite with the sign of F, or 0 if F is 0. origin: origin of the
 // obstacle's points. The function must not change during the obstacle's lifetime.
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin)
 {
-  // Step of the differences that replace gradients a function does not provide [voxels].
+  // Step of central differences, for functions without a gradient [voxels].
   constexpr double step = 0.125;
   const auto sampler = std::make_shared<const FunctionSampler>(function, step * voxelSize, origin);
   const auto distances = [sampler](std::size_t count, const double* points, double* results)
@@ -51,7 +50,7 @@ std::unique_ptr<Obstacle> MakeObstacle(
 }
 
 // Least number of substeps from one step to the next over a moving target. The target is evaluated
-// at least this often in the interval, however slow the surface is.
+// at least this often in the interval, even if the surface is slow.
 constexpr double SubstepsOfMovingTarget = 4.0;
 
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
@@ -61,7 +60,7 @@ constexpr double FactorsPerStep = 6.0;
 constexpr double TensionOfSpacing = 1.0 / 2.0;
 
 // Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
-// are repeated in the whole margin, so those at the walls have their neighbours too.
+// are repeated in the whole margin, so particles at the walls have their neighbours too.
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " takes explicit substeps, which do not carry the skin along with the particles: it may be late, "
@@ -116,7 +115,7 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.HasParticles(0, 0);
 }
 
-// Returns true if the target is static particles: the skin then stays as it starts.
+// Returns true if the target is static particles: the skin then keeps its start.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
@@ -124,8 +123,8 @@ bool MotionDriver::StaysOnNodes() const
 
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
 // as the others. The duration of this step may be unknown yet. An automatic tension is proportional
-// to the attraction, so the tension does not depend on the duration. The effect of a given Tension
-// under automatic attraction does depend on the duration, so that Tension is ignored here.
+// to the attraction, so its effect does not depend on the duration. Under automatic attraction, the
+// effect of a given Tension depends on the duration, so it is ignored here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
@@ -211,7 +210,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   return motion;
 }
 
-// attraction: rate that an automatic tension is in proportion to.
+// attraction: rate to which an automatic tension is proportional.
 void MotionDriver::UseNodes(double attraction, Motion& motion) const
 {
   const Motion& law = this->Settings.Law;
@@ -225,8 +224,8 @@ void MotionDriver::UseNodes(double attraction, Motion& motion) const
   }
 }
 
-// Places the target in the interval from a step to the next one, or at the step if no next frame
-// is held.
+// Places the target in the interval from a step to the next one, or at the step if no next frame is
+// stored.
 void MotionDriver::PlaceTargetFrom(int step)
 {
   this->Shapes.UseFramesFrom(step);
@@ -312,8 +311,8 @@ AdvanceReport MotionDriver::AdvanceOrArrive(NarrowBand& band, int step, MotionTi
     band, time.Value, this->Settings.GetArrival().Value, motion, progress);
 }
 
-// Computes the remaining distances once for each step, so that neither an interruption nor a
-// request between two steps changes the motion to the next step.
+// Computes the remaining distances once for each step. An interruption, or a request between two
+// steps, therefore does not change the motion to the next step.
 void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& motion)
 {
   PotentialTarget& target = this->Shapes.GetTarget();

@@ -37,13 +37,13 @@ public:
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
   // Initializes the band from the initial shape, or from the target. This and the two functions
-  // below return false if `progress` has stopped them, and throw what NarrowBand throws.
+  // below return false if `progress` cancelled them, and throw like NarrowBand.
   bool Start(NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress);
 
   // Advances from a step, or from an interruption after it, to a time up to the next step.
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
-  // Returns true, with a warning, if MaximumSubsteps is reached: see report.IsSteady.
+  // Returns true, with a warning, also if MaximumSubsteps is reached: see report.IsSteady.
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
@@ -55,11 +55,11 @@ public:
     return this->GetMotion(step, this->Shapes.HasParticles(step, step + 1));
   }
 
-  // Returns the walls of the bounded domain, or on periodic axes walls at a distance beyond the
-  // sides of the box.
+  // Returns the walls of the bounded domain. On periodic axes the walls are outside the box, at the
+  // distance `beyond` from its sides.
   Walls MakeWalls(double beyond) const;
 
-  // Counts since ResetCounters, including motions that ended in an exception.
+  // Numbers since ResetCounters, including motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }
   std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
@@ -88,9 +88,9 @@ private:
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;
   mutable std::unique_ptr<Obstacle> Solid; // null until FindObstacle creates it
-  std::unique_ptr<Arrival> Arriving;       // kept over interruptions of the motion
+  std::unique_ptr<Arrival> Arriving;       // kept while the motion is interrupted
   int ArrivingFrom = -1;                   // step at which it was created
-  std::size_t ArrivingAt = 0;              // its target, see GetTargetNumber
+  std::size_t ArrivingAt = 0;              // number of its target, see GetTargetNumber
 };
 
 }

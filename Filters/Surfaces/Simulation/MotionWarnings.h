@@ -1,4 +1,4 @@
-// Warnings about a motion that has ended, and its event in the history.
+// Warnings about a completed motion, and its event in the history.
 
 #ifndef MotionWarnings_h
 #define MotionWarnings_h
@@ -14,7 +14,7 @@ namespace activesurface
 {
 
 // Warns if the motion restarts because the input's data were replaced between requests for two
-// ascending times, as in a loop that is meant to animate the skin.
+// ascending times. This happens in a loop that is meant to animate the skin.
 class RestartWarning
 {
 public:
@@ -28,7 +28,7 @@ public:
 private:
   static constexpr double Never = std::numeric_limits<double>::infinity();
 
-  double LastTime = Never; // last one requested before the data were replaced
+  double LastTime = Never; // last time requested before the data were replaced
   bool IsTold = false;
 };
 
@@ -47,8 +47,8 @@ struct Outside
 {
   PipelineTime Time;
   double Share;          // fraction of the target
-  const Motion& Law;     // by which the skin moved
-  bool ParticlesAreLost; // else parts of the target's inside
+  const Motion& Law;     // parameters by which the skin moved
+  bool ParticlesAreLost; // otherwise parts of the target's inside are outside
 };
 
 // Warns if more than 1 % of the target is outside the skin.

@@ -52,7 +52,7 @@ vtkPointData* FindArrays(const ParticleFrame* frame)
   return frame ? frame->Passed.Get() : nullptr;
 }
 
-// An array at both steps around a time; null at a step that does not count.
+// An array at both steps around a time; null at a step that is not used.
 struct Pair
 {
   vtkAbstractArray* Earlier = nullptr;

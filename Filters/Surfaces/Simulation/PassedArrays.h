@@ -24,9 +24,9 @@ struct PassedArrays
 
 // Adds the particles' arrays to the skin. Floating-point arrays and colours (unsigned char, 3 or 4
 // components; rounded to the nearest integer, halves upwards) are averages with the weights of
-// ParticleWeights.h; other arrays have the value of the particle of the largest weight. Leaves out
-// ghost levels and arrays of a name that the skin has already. Leaves out arrays that one of the
-// two steps does not have, or has with another type or number of components.
+// ParticleWeights; other arrays have the value of the particle of the largest weight. Omits ghost
+// levels and arrays of a name that the skin has already. Omits arrays that one of the two steps
+// does not have, or has with another type or number of components.
 //
 // If there are velocities, adds their average, without its component along `directions`, to the
 // skin's array "Velocity", which is along `directions` (unit vectors). Does nothing without

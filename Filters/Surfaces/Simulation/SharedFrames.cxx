@@ -23,7 +23,7 @@ namespace activesurface
 namespace
 {
 
-// Indices of one step's particles that each rank receives.
+// Indices of the particles of one step that each rank receives.
 class Parcels
 {
 public:
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  // Returns this rank's part of the step. Collective.
+  // Returns this rank's particles of the step. Collective.
   std::shared_ptr<ParticleShape> Send(const InputShape& home) const
   {
     const ParticleFrame& particles = *home.GetParticles();
@@ -107,8 +107,8 @@ void SharedFrames::MakeWhole(int first, int last)
   }
 }
 
-// Balances the costs of the ranks: 1 for each particle of the step `last`, and those of the leaves
-// of the band.
+// Balances the costs of the ranks. Each particle of the step `last` costs 1; the leaves of the band
+// have their own costs.
 std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
 {
   const InputShape& shape = *this->Homes.Find(last);
@@ -133,7 +133,8 @@ std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, i
   return Domain::Share(shape.Home->Ranks, std::move(costs));
 }
 
-// Matches the particles that this rank owns; the same decision on all ranks. Collective.
+// Matches the particles that this rank owns. All ranks share the decision if particles are
+// shuffled. Collective.
 ParticleMatches SharedFrames::MatchHomes(int first) const
 {
   const ParticleFrame& earlier = *this->Homes.Find(first)->GetParticles();
@@ -146,8 +147,8 @@ ParticleMatches SharedFrames::MatchHomes(int first) const
                                                       : matches;
 }
 
-// Sends each particle, at both steps, to all ranks whose space it may come near to between them:
-// those in the box around its two positions, enlarged by the margin.
+// Sends each particle, at both steps, to all ranks that may need the particle between the steps:
+// ranks whose partition meets the box around its two positions, enlarged by the margin.
 void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
 {
   const InputShape& earlier = *this->Homes.Find(first);

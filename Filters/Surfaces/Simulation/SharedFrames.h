@@ -1,5 +1,5 @@
-// Distributed frames of particles. Each rank owns some of the particles of a frame; before the
-// surface moves, each rank receives all particles near its part of space.
+// Distributed frames of particles. Each rank owns some of the particles of a frame. Before the
+// surface moves, each rank receives all particles near its partition of space.
 
 #ifndef SharedFrames_h
 #define SharedFrames_h
@@ -28,11 +28,11 @@ public:
 
   void Clear() { this->Homes.Clear(); }
 
-  // Adds a frame, which has to be added to the shapes too.
+  // Adds a frame, which the caller also adds to the shapes.
   void Add(int step, const std::shared_ptr<InputShape>& shape);
 
-  // Partitions space for the next frame of a band, which is at the step `first` or starts there,
-  // and sends to each rank the particles of the steps up to `last` near its part. Gathers band and
+  // Partitions space for the next frame of a band, which is at the step `first` or starts there.
+  // Sends to each rank the particles of the steps up to `last` near its partition. Gathers band and
   // frames on all ranks if one of these frames is not distributed. Collective.
   void Place(NarrowBand& band, int first, int last);
 

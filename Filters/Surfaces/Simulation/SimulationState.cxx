@@ -59,7 +59,7 @@ void SurfaceSimulation::RestoreLoaded()
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
-  // Restores the rows up to this step, unless more are recorded already.
+  // Restores the rows up to this step, unless more rows are recorded already.
   this->History.Restore(this->Loaded.History);
 }
 

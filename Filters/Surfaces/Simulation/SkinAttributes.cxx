@@ -30,7 +30,7 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   int step = moves ? this->Time.Step : 0;
   if (this->Shapes.MayCarry())
   {
-    // Uses the interval of the other arrays, whichever frames are held.
+    // Uses the interval of the other arrays, independent of the stored frames.
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
   }
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;

@@ -19,7 +19,7 @@ struct Motion;
 class SkinAttributes
 {
 public:
-  // Keeps references to all. The frames that FindArrayFrames returns have to be held.
+  // Keeps references to all. The frames that FindArrayFrames returns have to be stored.
   SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
     const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays);
 
@@ -30,10 +30,10 @@ public:
   // Returns the requested arrays of the particles. The result refers to the frames.
   PassedArrays FindPassedArrays() const;
 
-  // Returns the largest speed of the particles in the interval up to the requested time, at the
-  // first step in the interval after it: their displacement plus their change of radius over the
-  // duration, or a larger passed velocity. Returns 0 if no particle is matched between two held
-  // frames or none moves, and for other targets.
+  // Returns the largest speed of the particles in the interval up to the requested time (at the
+  // first step, in the interval after it). The speed is the displacement plus the change of radius
+  // over the duration, or a larger passed velocity. Returns 0 if no particle is matched between two
+  // stored frames or none moves, and for other targets.
   double FindFastestParticle(const PassedArrays& passed) const;
 
 private:

@@ -30,7 +30,7 @@ void MoveToOrigin(SurfaceDomain& domain)
   }
 }
 
-// Returns the voxel size for images. With the margin the longest side has VoxelsAcross voxels, or
+// Returns the voxel size for images. The longest side with its margin has VoxelsAcross voxels, or
 // more if pixels are finer: voxels are then as large as pixels, down to 1/1000 of the longest side.
 double FindVoxelSizeOfImages(double longest, double pixel)
 {
@@ -39,8 +39,8 @@ double FindVoxelSizeOfImages(double longest, double pixel)
   return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
-// Throws for a period of less than four voxels. A much shorter one contains no node, and its copies
-// of particles exhaust the memory.
+// Throws for a period of less than four voxels. A much shorter period contains no node, and its
+// copies of particles exhaust the memory.
 void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
 {
   constexpr double fewestVoxels = 4.0;

@@ -15,7 +15,7 @@ struct SurfaceSettings;
 struct SurfaceDomain
 {
   // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation: 0
-  // along an axis with bounds near 0, else near the centre of the bounds (LatticeOrigin.h).
+  // along an axis with bounds near 0, otherwise near the centre of the bounds (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin
   double VoxelSize = 0.0;
@@ -29,8 +29,8 @@ struct SurfaceDomain
 // Bounds and sizes from the first frame of the target and the initial shape.
 struct FirstShapes
 {
-  vtkBoundingBox Shapes;  // of all others
-  vtkBoundingBox Images;  // of those that are images
+  vtkBoundingBox Shapes;  // of shapes that are not images
+  vtkBoundingBox Images;  // of images
   double ParticleSpacing; // [length]; 0: no particles, or unknown
   double Pixel;           // of the finest image [length]; 0: no image
 };

@@ -24,15 +24,15 @@ struct RecordedMoment
   std::string Event; // empty: found by comparison with the row before
 };
 
-// Rows up to the latest step that was reached, also after a return to an earlier one. Keeps the
-// parts of the skin at the last row, to find the events of the next one.
+// Rows up to the latest step that was reached, even after a return to an earlier step. Keeps the
+// parts of the skin at the last row, to find the events of the next row.
 class HistoryRecorder
 {
 public:
   void Clear();
 
-  // Forgets the parts of the skin: the next row has no event. ContinueFrom uses the parts of a band
-  // instead: the next row has the events since then. Both keep the rows.
+  // Interrupt forgets the parts of the skin: the next row has no event. ContinueFrom uses the parts
+  // of a band instead: the next row has the events since then. Both functions keep the rows.
   void Interrupt();
   void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 
@@ -43,14 +43,14 @@ public:
   // Returns the fraction of the target outside the skin in a row; NaN without such a row.
   double GetOutside(std::size_t row) const;
 
-  // Replaces the rows by those of a loaded state, unless more are recorded already.
+  // Replaces the rows by those of a loaded state, unless more rows are recorded already.
   void Restore(const std::vector<HistoryRow>& rows);
 
-  // Sets the time of the first row: when an input of one step gets more, this time changes from
-  // StartTime to the input's first time step.
+  // Sets the time of the first row. This time changes from StartTime to the input's first time step
+  // when an input of one step gets more steps.
   void SetFirstTime(PipelineTime time);
 
-  // Returns the first rows, `most` at most.
+  // Returns at most the first `most` rows.
   std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:

@@ -151,7 +151,7 @@ std::vector<std::pair<std::string, double>> SurfaceSettings::ListForFiles() cons
   ForEachProperty(*this,
     [this, &list](const Property& property, const auto& value, auto&&)
     {
-      // Files record the voxel size itself; boxes are no numbers.
+      // Files store the voxel size itself, and boxes are not numbers.
       if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::array<double, 6>>)
       {
         const double number = static_cast<double>(value);

@@ -27,7 +27,7 @@ namespace activesurface
 enum class EvolutionMode
 {
   Transient,  // moves along the time steps
-  Equilibrium // moves to the steady state of the first step, the only one
+  Equilibrium // moves to the steady state of the only step
 };
 
 // Automatic: the node scheme over particles, unless a setting needs substeps.
@@ -79,7 +79,7 @@ struct SurfaceInputs
   std::vector<double> InputSteps;    // of the input, without repeated times; may be empty
   bool OnlyForward = false;          // the input cannot repeat a step
 
-  // Returns true if Steps are those of the input, not of the filter's own clock.
+  // Returns true if Steps come from the input instead of the filter's own clock.
   bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
   bool WithdrawStep() // removes the last step of a forward-only input
@@ -95,7 +95,7 @@ struct SurfaceInputs
 // Each property is a field here or in Motion, and a line of ForEachProperty below.
 struct SurfaceSettings
 {
-  Motion Law;                    // without the next two
+  Motion Law;                    // without Attraction and Tension
   double Attraction = Automatic; // see GetLaw
   double Tension = Automatic;    // see GetLaw
   EvolutionMode Evolution = EvolutionMode::Transient;
@@ -114,18 +114,18 @@ struct SurfaceSettings
 
   double VoxelSize = Automatic; // see SurfaceDomain
   std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  bool Bounded = false; // by walls at the bounds
+  bool Bounded = false; // walls at the bounds
 
   SurfaceInputs Inputs;
 
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
 
-  // True if `others` differs only by time steps appended to the input's list.
+  // Returns true if `others` differs only by time steps appended to the input's list.
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
-  bool StartsElsewhere() const // on an initial shape, not on the target
+  bool StartsElsewhere() const // on an initial shape instead of the target
   {
     return this->Inputs.InitialFunction || this->Inputs.HasInitialInput;
   }
@@ -134,14 +134,14 @@ struct SurfaceSettings
   {
     return this->Attraction == Automatic && !this->Law.Paper && !this->IsEquilibrium();
   }
-  // Law with Attraction and Tension: set, or as for a target that does not move.
+  // Returns Law with Attraction and Tension: set, or the automatic values for a static target.
   Motion GetLaw() const;
-  // Name of the first property that the node scheme does not support; null: all are supported.
+  // Returns the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
-  // Least Attraction * duration of a time step by the node scheme; below it substeps replace the
-  // scheme. The node scheme evaluates the target only near its surface; a skin whose distance falls
-  // by less than a factor e^2 may be elsewhere.
+  // Least Attraction * duration of a time step for the node scheme; substeps replace the scheme
+  // below it. The node scheme evaluates the target only near the target's surface. A skin whose
+  // distance falls by less than a factor e^2 may be elsewhere.
   static constexpr double FewestFactorsOfNodes = 2.0;
   // Returns true if ranks may partition space: the node scheme makes all time steps, over a moving
   // input of anisotropic particles of one radius. Requires that there is no VolumeControl, no

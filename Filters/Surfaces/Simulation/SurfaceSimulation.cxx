@@ -37,7 +37,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   {
     if (settings.Inputs.TargetMoves != this->Settings.Inputs.TargetMoves)
     {
-      this->Shapes.ForgetTarget(); // it was made as a static target without velocities
+      this->Shapes.ForgetTarget(); // was made as a static target without velocities
     }
     if (settings.Inputs.TargetMTime != this->Settings.Inputs.TargetMTime &&
       !settings.Inputs.OnlyForward)
@@ -92,7 +92,7 @@ void SurfaceSimulation::Rewind(int step)
     }
     catch (const std::exception&)
     {
-      this->ResetTrajectory(); // too little memory: a motion from the start may need less
+      this->ResetTrajectory(); // out of memory: a motion from the start may need less
     }
   }
 }
@@ -111,7 +111,7 @@ void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays
   {
     if (this->Settings.Inputs.OnlyForward && !this->Way.IsUnderWay())
     {
-      this->Saved.Keep(step, this->Way.GetBand()); // this step cannot be computed again
+      this->Saved.Keep(step, this->Way.GetBand()); // a forward-only input cannot repeat this step
     }
     this->ResetTrajectory();
   }
@@ -159,7 +159,7 @@ int SurfaceSimulation::FindMissingStep() const
   return this->Shapes.Has(step) ? step + 1 : step;
 }
 
-// Finds a frame that the arrays need and that is not held, as after a return to a checkpoint.
+// Finds a frame that the arrays need and that is not stored, as after a return to a checkpoint.
 int SurfaceSimulation::FindMissingStepOfArrays() const
 {
   if (!this->Arrays.Speeds && !this->Arrays.NeedParticles())
@@ -250,7 +250,7 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 
 bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
-  this->View.Clear(); // a view holds the band, which would be copied before it is moved
+  this->View.Clear(); // a view shares the band, which would be copied before it is moved
   this->Whole.reset();
   if (!this->Way.HasBegun())
   {

@@ -72,7 +72,7 @@ private:
   std::array<Entry, 2> Last;
 };
 
-// No limit changes the motion.
+// Limits that do not change the motion.
 struct SimulationLimits
 {
   int Threads = 0;
@@ -100,7 +100,7 @@ public:
     return this->HasBegun() && (this->Settings == settings || this->IsLengthenedBy(settings));
   }
 
-  // Removes the last step if the surface is at the step before it and its frame is not held.
+  // Removes the last step if the surface is at the step before it and its frame is not stored.
   // Returns false if the step stays.
   bool WithdrawLastStep()
   {
@@ -122,7 +122,7 @@ public:
   int FindMissingStep() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
-  // Returns true if each of several ranks keeps only a part of the next frames.
+  // Returns true if each of several ranks needs only a part of the next frames.
   bool SharesSpace() const
   {
     return this->Settings.CanShareSpace() && this->Shapes.FindSpacing() > 0.0;
@@ -153,17 +153,17 @@ public:
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
 
-  // Advances to the requested time; returns false if `progress` has stopped it. Throws
-  // std::invalid_argument for invalid settings, and what NarrowBand and `frames` throw. An
-  // exception at the start resets everything; after a later one the state is that of the last
+  // Advances to the requested time; returns false if `progress` cancelled it. Throws
+  // std::invalid_argument for invalid settings, and exceptions of NarrowBand and `frames`. An
+  // exception at the start resets everything; a later exception leaves the state of the last
   // finished substep.
   bool Advance(const FrameSource& frames, const ProgressFunction& progress);
 
   // Discards the state, the checkpoints, the history and the frames.
   void Reset();
 
-  // The surface after Advance has reached the requested time: this rank's part of it, or the whole
-  // if the requested arrays need that.
+  // The surface after Advance has reached the requested time: this rank's part, or the whole
+  // surface if the requested arrays need the whole.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
   // World position of the band's node (0, 0, 0). The band's positions are relative to it.
   const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
@@ -206,8 +206,8 @@ public:
   }
   // Returns the parameters of the motion at the requested time, for speeds.
   Motion GetMotion() const;
-  // Values in the interval before the requested time, at the first step after it. All are 0 while
-  // there is neither a domain nor a skin.
+  // Values in the interval before the requested time; at the first step, in the interval after it.
+  // All are 0 if domain and skin are missing.
   ValuesInUse GetValuesInUse() const
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
@@ -236,7 +236,7 @@ public:
 
 private:
   // Returns true if the settings only append steps to the input, and the motion so far is valid for
-  // them. An input of one step is static and the filter uses its own clock, so a motion along that
+  // them. An input of one step is static, and the filter uses its own clock. A motion along that
   // clock is not valid once the input has more steps.
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
@@ -289,7 +289,7 @@ private:
 
   RequestedTime Requested;
   RequestedArrays Arrays;
-  int FirstStep = -1; // at which the motion to the requested time began, for the progress
+  int FirstStep = -1; // start of the motion to the requested time, for the progress
 
   Trajectory Way{ this->Settings };
   mutable BoxView View;

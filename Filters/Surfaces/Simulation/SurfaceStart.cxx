@@ -48,7 +48,7 @@ void CutAtWalls(const Walls& box, std::size_t count, const double* points, doubl
   }
 }
 
-// Subtracts the obstacle. Multiplies its depths by the slope of the shape: in one unit, linear
+// Subtracts the obstacle. Multiplies its depths by the slope of the shape, so that linear
 // interpolation along an edge finds the right crossing.
 void CutAtObstacle(
   const SurfaceStart& start, std::size_t count, const double* points, double* values)
@@ -73,7 +73,7 @@ void CutAtObstacle(
   }
 }
 
-// Sets the flags of `function` even if the start has evaluated it nowhere.
+// Sets the flags of `function` even if the start evaluates no node.
 void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -92,7 +92,7 @@ void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
 bool StartOn(
   NarrowBand& band, const SurfaceStart& start, Warnings& messages, const ProgressFunction& progress)
 {
-  std::atomic<bool> isFinite{ false };  // at any point
+  std::atomic<bool> isFinite{ false };  // true if finite at any point
   std::atomic<bool> hasInside{ false }; // before the obstacle is subtracted
   InitialFunction function;
   function.ThreadSafe = start.Shape.IsThreadSafe() && (!start.Solid || start.Solid->IsThreadSafe());
@@ -116,7 +116,7 @@ bool StartOn(
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
   }
-  if (!start.Solid) // its faces are not on the surface of the shape
+  if (!start.Solid) // otherwise its faces are not on the surface of the shape
   {
     function.Surface = start.Shape.FindSurface();
     function.Surface.DepthOfWalls = FindMargin(start);
@@ -138,7 +138,7 @@ bool StartOn(
     const bool isCovered = start.Solid && hasInside;
     if (!isCovered)
     {
-      EvaluateAtCorners(function, bounds); // without a surface it may be unevaluated
+      EvaluateAtCorners(function, bounds); // without a surface the function may be unevaluated
     }
     messages.Say("empty",
       isCovered    ? CoveredStart

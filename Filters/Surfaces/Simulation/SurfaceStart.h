@@ -1,4 +1,4 @@
-// Initializes a surface from the shape that it starts with.
+// Initializes a surface from its initial shape.
 
 #ifndef SurfaceStart_h
 #define SurfaceStart_h
@@ -20,7 +20,7 @@ struct SurfaceStart
   PotentialTarget& Shape;
 };
 
-// Returns false if `progress` has stopped it. Warns if the shape has no surface. Throws as
+// Returns false if `progress` cancelled it. Warns if the shape has no surface. Throws like
 // NarrowBand::Start.
 bool StartOn(NarrowBand& band, const SurfaceStart& start, Warnings& messages,
   const ProgressFunction& progress);

@@ -16,8 +16,8 @@ namespace activesurface
 namespace
 {
 
-// Distance from its surface within which a mesh as initial shape is sampled [voxels]: that of the
-// band and its ghosts.
+// Distance from its surface within which a mesh as initial shape is sampled [voxels]: the width of
+// the band and its ghosts.
 constexpr double InitialReach = 8.0;
 
 // Largest number of voxels of distances to a mesh, per active voxel: their band is wider than the
@@ -78,7 +78,7 @@ void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
 }
 
-// Adds a node to the margin of the node scheme, as positions between two steps are rounded.
+// Adds a node to the margin of the node scheme, because positions between two steps are rounded.
 int TargetBuilder::FindMarginOfRanks()
 {
   const double reach = this->GetPreparation().GetRadius(this->Settings.Particles.Model);
@@ -188,7 +188,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   this->WarnOfThinParts(shape, where);
 }
 
-// Checks only the first frame with points: to check every frame would cost too much.
+// Checks only the first frame with points, because checking every frame would cost too much.
 void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& where)
 {
   if (this->ThinPartsKnown || !this->DomainKnown || !shape.HasPoints())

@@ -46,12 +46,13 @@ public:
   // Limits the voxels of distances to later meshes to ten times this number.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
-  // Adds the frame of a step; the last two frames are held. Throws std::invalid_argument, and does
-  // not hold the frame, if it is of another kind than those before or cannot be used.
+  // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument, and
+  // does not store the frame, if it is of another kind than earlier frames or cannot be used.
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // Replaces the frame of a step by this rank's part of it; SetPair replaces two in succession.
+  // Replaces the frame of a step by this rank's part of it; SetPair replaces two consecutive
+  // frames.
   void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
@@ -61,13 +62,13 @@ public:
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 
-  // Returns true if the held frame of a step was made of the same data as `shape`.
+  // Returns true if the stored frame of a step was made of the same data as `shape`.
   bool IsUnchanged(int step, const InputShape& shape) const
   {
     return this->Frames.Find(step)->Content == shape.Content;
   }
 
-  // Returns true if one of the held frames from `first` to `last` has particles; for a static
+  // Returns true if one of the stored frames from `first` to `last` has particles; for a static
   // target its only frame counts. Later frames do not count: they may be unknown yet.
   bool HasParticles(int first, int last) const
   {
@@ -78,7 +79,7 @@ public:
   {
     return this->Settings.UsesInput() && (!this->Kind->HasPoints() || this->Kind->GetParticles());
   }
-  // Returns true if, in addition, the velocity of particles carries the surface.
+  // Returns true if MayHaveParticles, and the velocity of particles carries the surface.
   bool MayCarry() const { return this->MayHaveParticles() && this->GetOptions().Carries; }
 
   // Returns the spacing of the particles, given or estimated; 0: unknown.
@@ -88,8 +89,8 @@ public:
 
   // Returns the periodic box of particles, relative to the origin of the shapes.
   PeriodicBox GetBox() const;
-  // Returns the margin of the box for the particles of a step; from the spacing without
-  // particles.
+  // Returns the margin of the box for the particles of a step; without particles, the margin
+  // follows from the spacing.
   double FindMargin(int step) const;
 
   // Returns the estimated spacing of the particles [length]; 0: no estimate. KeepEstimatedSpacing
@@ -112,11 +113,11 @@ public:
   // Returns the steps to sample in addition to the first one.
   std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
-  // Sets the spacing to the smallest one of the frames with enough particles, or to that of the
-  // first sample, the first frame's, if it differs by at most 1 %.
+  // Sets the spacing to the smallest spacing of the frames with enough particles. Uses the spacing
+  // of the first sample, from the first frame, if the two differ by at most 1 %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
-  // Returns a box that contains the inside of the target at a held step; for a function or an
+  // Returns a box that contains the inside of the target at a stored step; for a function or an
   // inverted target the bounds of the domain. Not valid if there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
@@ -153,11 +154,11 @@ public:
     this->Moving = nullptr;
     this->Target.reset();
   }
-  // Returns the target if it is made of frames of the input, else null.
+  // Returns the target if it is made of frames of the input, otherwise null.
   MovingTarget* GetMovingTarget();
 
-  // Returns a separate target with the same attraction. This target moves from a held step to the
-  // next one between two motion times. Add and Clear invalidate it, as it uses the held frames.
+  // Returns a separate target with the same attraction. This target moves from a stored step to the
+  // next one between two motion times. Add and Clear invalidate it, as it uses the stored frames.
   // hasPoints: it can be evaluated at points, at the beginning of the interval.
   std::unique_ptr<PotentialTarget> MakeTargetAt(
     int step, double begin, double end, bool hasPoints = true) const;
@@ -174,13 +175,13 @@ private:
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
   void Prepare(int step, InputShape& shape);
-  void Tell(const std::string& reason, const std::string& sentence); // unless the sentence is empty
+  void Tell(const std::string& reason, const std::string& sentence); // if the sentence is not empty
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
   double GetPixel() const; // of the finest first image [length]; 0: no image
   double GetNoiseAtNodes() const;
-  // Makes positions of the held shapes relative to the domain's origin.
+  // Makes positions of the stored shapes relative to the domain's origin.
   void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
@@ -191,7 +192,7 @@ private:
   std::size_t MaximumActiveVoxels = 50000000;
 
   TargetFrames Frames;
-  KindPointer Kind; // the last frame with points; all have the same kind
+  KindPointer Kind; // the last frame with points; all frames have its kind
   double EstimatedSpacing = 0.0;
   bool ThinPartsKnown = false; // checked and reported
   std::shared_ptr<InputShape> Initial;
@@ -200,7 +201,7 @@ private:
 
   std::unique_ptr<PotentialTarget> Target; // null until it is needed
   KindPointer KindOfTarget;
-  MovingTarget* Moving = nullptr; // Target, if it is of the input
+  MovingTarget* Moving = nullptr; // Target, if made of frames of the input
   std::size_t TargetNumber = 0;   // number of targets made
 };
 

@@ -33,7 +33,7 @@ public:
   // Has to be called after a change of the settings or the inputs.
   void Clear();
 
-  // Returns the fraction, in [0,1], for the target at a held step; 0 without a target. Collective
+  // Returns the fraction, in [0,1], for the target at a stored step; 0 without a target. Collective
   // if the band is a part.
   double FindOutside(const NarrowBand& band, const Motion& motion, int step);
 
@@ -46,7 +46,7 @@ private:
 
   const SurfaceSettings& Settings;
   const TargetBuilder& Shapes;
-  std::vector<PointWithMargin> Points; // of the target; a static one keeps them
+  std::vector<PointWithMargin> Points; // of the target; kept if the target is static
   bool ArePointsKnown = false;
 };
 

@@ -73,8 +73,8 @@ void TargetBuilder::MoveToOrigin()
   }
 }
 
-// Adds the bounds of the first frame, the functions and the initial shape, where they have any.
-// Returns false if an input is still to be added.
+// Adds the available bounds of the first frame, the functions and the initial shape. Returns false
+// if an input has not been added yet.
 bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const
 {
   if (this->WantsInitial() || (this->Settings.UsesInput() && !this->Frames.Has(0)))

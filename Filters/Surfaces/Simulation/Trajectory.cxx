@@ -37,7 +37,7 @@ bool Trajectory::IsUnderWay() const
   {
     return false;
   }
-  // A substep may fail after it has created parts: time is unchanged then, the band is not.
+  // A substep may fail after creating parts: then the time is unchanged, but the band has changed.
   return this->Band->GetTime() > this->Settings.GetMotionTimeOf(this->Step).Value ||
     this->Band->GetWork().CreatedParts > 0;
 }
@@ -103,7 +103,7 @@ void Checkpoints::SetLimits(int interval, std::size_t memory)
   this->MakeRoom();
 }
 
-// The size of a part is its mean over the ranks, so that all ranks remove the same states.
+// Uses the mean size of the parts of all ranks, so that all ranks remove the same states.
 Checkpoints::Saved Checkpoints::Save(const NarrowBand& band)
 {
   constexpr std::size_t bytesPerNode = 6; // including the masks of its leaf
@@ -150,8 +150,8 @@ std::size_t Checkpoints::GetSize() const
   return size;
 }
 
-// Removes the first state last: without it an earlier time restarts the motion. Of the others,
-// removes the one that leaves the smallest gap.
+// Removes the state that leaves the smallest gap. Removes the first state last, because without it
+// an earlier time restarts the motion.
 void Checkpoints::MakeRoom()
 {
   while (!this->States.empty() && this->GetSize() > this->Memory)

@@ -1,8 +1,8 @@
 // The motion of a surface from step to step, and its branch to a time between two steps.
 //
-// The states at the steps, the trajectory, do not depend on requests for times between them. Such a
-// time is reached by a branch: a copy of the earlier step's state. An interrupted motion resumes
-// from its last substep. No branch starts from the state of an interruption.
+// The trajectory consists of the states at the steps. It does not depend on requests for times
+// between steps: a branch, a copy of the earlier step's state, moves to such a time. An interrupted
+// motion resumes from its last substep. No branch starts from the state of an interruption.
 
 #ifndef Trajectory_h
 #define Trajectory_h
@@ -46,7 +46,7 @@ private:
   {
     std::string Bytes;
     std::shared_ptr<const BandPart> Part;
-    std::size_t Size; // [bytes]; for a part an estimate that is equal on all ranks
+    std::size_t Size; // [bytes]; for a part, an estimate that is equal on all ranks
   };
 
   static Saved Save(const NarrowBand& band);
@@ -81,12 +81,12 @@ public:
   // at which it vanished.
   bool IsUnderWay() const;
 
-  // Returns true if the surface is at the time. With EvolutionMode EQUILIBRIUM it is after
+  // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, after
   // FinishSteadyState.
   bool IsAt(const RequestedTime& time) const;
   bool HasBranch() const { return this->Branch != nullptr; }
 
-  // Returns the band to move to the next step: a copy if an output holds the present one. Discards
+  // Returns the band to move to the next step: a copy if an output uses the present band. Discards
   // the branch.
   NarrowBand& GetBandToMove();
   // Has to be called when the band is at the next step.

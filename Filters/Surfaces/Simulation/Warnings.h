@@ -15,7 +15,7 @@ class Warnings
 public:
   enum class Kind
   {
-    Note, // a choice of the filter, no problem
+    Note, // a choice of the filter, not a problem
     Warning
   };
   using Listener = std::function<void(Kind kind, const std::string& sentence)>;

@@ -1,4 +1,4 @@
-// Checksums of data sets, which detect whether a time step has changed when it is read again.
+// Checksums of data sets, to detect a change of a time step that is read again.
 
 #ifndef ContentSum_h
 #define ContentSum_h

@@ -21,8 +21,8 @@ namespace activesurface
 namespace
 {
 
-// Returns true for the classes that do not change when evaluated. Subclasses have other class names
-// and are excluded.
+// Returns true for the classes that do not change when evaluated. Subclasses have other class
+// names, so they are excluded.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
   constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",
@@ -36,8 +36,8 @@ bool OnlyReadsItself(vtkImplicitFunction* function)
 // Returns true if VTK's gradient is correct.
 bool HasGradient(vtkImplicitFunction* function)
 {
-  return !vtkImplicitBoolean::SafeDownCast(function) && // of a union: that of a difference
-    !vtkImplicitSum::SafeDownCast(function) &&          // its terms may be among these classes
+  return !vtkImplicitBoolean::SafeDownCast(function) && // wrong for a union
+    !vtkImplicitSum::SafeDownCast(function) &&          // may have a union as a term
     !function->IsA("vtkSuperquadric"); // always 0 in VTK; not all builds have the class
 }
 
@@ -179,7 +179,7 @@ double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3
         : 1.0;
     }
   }
-  decides->SampleAt(x, gradient); // users need only its length, so the sign is left as it is
+  decides->SampleAt(x, gradient); // users need only its length, so the sign is not corrected
   return sign * least;
 }
 

@@ -20,7 +20,7 @@ namespace activesurface
 class FunctionSampler
 {
 public:
-  // step: of the central differences [world units]. origin: the points are relative to this
+  // step: step of the central differences [world units]. origin: points are relative to this
   // position. The function must not change during the sampler's lifetime.
   FunctionSampler(
     vtkImplicitFunction* function, double step, const std::array<double, 3>& origin = {});

@@ -24,7 +24,7 @@ namespace
 {
 
 // Target that moves between the shapes of two steps: F = (1 - f) F0 + f F1 at the fraction f of the
-// interval, where F0 and F1 are the functions of the two steps.
+// interval. F0 and F1 are the functions of the two steps.
 class BlendedTarget : public MovingTarget
 {
 public:

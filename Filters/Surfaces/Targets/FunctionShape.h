@@ -1,6 +1,6 @@
 /**
- * A shape given by an implicit function. Points and cells are copies of the input's; the values of
- * an image are shared with the input (ImageShape.cxx).
+ * A shape given by an implicit function. It copies the input's points and cells, and shares the
+ * values of an image with the input (ImageShape.cxx).
  */
 #ifndef FunctionShape_h
 #define FunctionShape_h
@@ -25,7 +25,7 @@ protected:
   explicit FunctionShape(vtkSmartPointer<vtkDataSet> data);
 
   /**
-   * Returns a copy of only the points and cells. A copy is needed because the next step may
+   * Returns a copy with only the points and cells. A copy is needed because the next step may
    * overwrite the input.
    */
   static vtkSmartPointer<vtkDataSet> CopyPointsAndCells(vtkDataSet* data);

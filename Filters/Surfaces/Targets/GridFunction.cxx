@@ -24,9 +24,9 @@ void ReadGrid(vtkGridPotential* grid, vtkDataSet* data)
 
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize)
 {
-  // A fraction this large is visible: on a body 64 voxels across, a patch of about ten voxels by
-  // ten. It is six times the sampling error of the fraction (SurfaceSample.h), so it is not there
-  // by chance.
+  // A fraction this large is visible: on a body 64 voxels across, a patch of about ten by ten
+  // voxels. It is six times the sampling error of the fraction (SurfaceSample.h), so it is not
+  // random.
   constexpr double negligible = 0.005;
   constexpr double voxels = 2.0;
   auto grid = vtkGridPotential::SafeDownCast(function);

@@ -13,7 +13,7 @@ namespace activesurface
 
 /**
  * Sets the input of a function and reads it. Set the other properties before. Throws
- * std::runtime_error for unusable data. Defects are left to the caller.
+ * std::runtime_error for unusable data. The caller has to report defects.
  */
 void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
 

@@ -1,8 +1,7 @@
-// Distributed particles of an input. Each rank keeps some of the particles, its home part.
+// Distributed particles of an input. Each rank owns some of the particles, its home part.
 //
-// The home rank of a particle follows from its id, or from its index in the whole input. So a
-// particle has the same home in each time step, and its positions in two steps are available on one
-// rank.
+// The owner of a particle follows from its id, or from its index in the whole input. So a particle
+// has the same owner in each time step, and its positions in two steps are available on one rank.
 
 #ifndef HomeParticles_h
 #define HomeParticles_h
@@ -17,23 +16,23 @@
 namespace activesurface
 {
 
-// Data of a shape of which this rank has the home part.
+// Data of a shape that has only the particles that this rank owns.
 struct HomePart
 {
   Agreement Ranks;
-  // Reads the whole input, including arrays that are not sent home; null if there are no such
-  // arrays. Collective.
+  // Reads the whole input, including arrays that are not sent to the owners; null if there are no
+  // such arrays. Collective.
   std::function<std::unique_ptr<InputShape>()> ReadWhole;
 };
 
-// Sends the particles of this rank's piece to their home ranks, and returns the particles whose
-// home is this rank. before: number of points in the pieces of lower ranks. all: number of points
-// in all pieces. Collective.
+// Sends the particles of this rank's piece to their owners, and returns the particles that this
+// rank owns. before: number of points in the pieces of lower ranks. all: number of points in all
+// pieces. Collective.
 ParticleFrame SendHome(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
-// Returns all particles of an input on each rank, as one process has them. home: this rank's part.
-// Collective.
+// Returns all particles of an input on each rank, as one process has them. home: the particles that
+// this rank owns. Collective.
 std::shared_ptr<InputShape> GatherShape(const InputShape& home);
 
 }

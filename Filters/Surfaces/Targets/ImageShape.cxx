@@ -27,7 +27,7 @@ namespace activesurface
 namespace
 {
 
-/** Estimates the level of an image of a mask or of volume fractions. */
+/** Level and side of an image of a mask or of volume fractions. */
 struct ImageLevel
 {
   double IsoValue;
@@ -172,7 +172,7 @@ vtkDataArray* AsSamples(vtkAbstractArray* values, vtkDataSet* image)
   return numbers;
 }
 
-// Returns the lattice with only the samples or the attached grid.
+// Returns a copy with only the lattice and the samples or the attached grid.
 vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
 {
   vtkAbstractArray* values = input.Chosen.FindValues();

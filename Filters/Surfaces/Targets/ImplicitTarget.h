@@ -51,7 +51,7 @@ protected:
 private:
   vtkSmartPointer<vtkImplicitFunction> Source;
   FunctionSampler Function;
-  std::array<double, 3> Origin; // of the target's points, not those of Source
+  std::array<double, 3> Origin; // of the target's points, not the points of Source
 };
 
 }

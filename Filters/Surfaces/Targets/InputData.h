@@ -1,6 +1,6 @@
 /**
- * Data of an input port, from which a shape is made: the data set, its chosen arrays, and the
- * particle arrays to keep.
+ * Data of an input port that becomes a shape: the data set, its chosen arrays, and the particle
+ * arrays to keep.
  */
 #ifndef InputData_h
 #define InputData_h
@@ -28,8 +28,8 @@ public:
   virtual vtkAbstractArray* FindVelocities() const = 0;
 
   /**
-   * Returns the chosen values of an image, else its active scalars. Null for an image that has an
-   * attached grid instead; throws if it has neither.
+   * Returns the chosen values of an image, or its active scalars if none are chosen. Null for an
+   * image that has an attached grid instead; throws if it has neither.
    */
   virtual vtkAbstractArray* FindValues() const = 0;
 };

@@ -17,7 +17,7 @@ namespace
 
 struct InputKind
 {
-  bool (*Fits)(vtkDataSet* data); // the data are not null
+  bool (*Fits)(vtkDataSet* data); // data is not null
   std::unique_ptr<InputShape> (*Make)(const InputData& input);
 };
 

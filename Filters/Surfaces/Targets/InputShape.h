@@ -37,7 +37,7 @@ public:
   bool IsOfKindOf(const InputShape& other) const;
 
   /**
-   * Returns false for an input without points. It has no kind, and fits between shapes of all
+   * Returns false for an input without points. It has no kind, and is compatible with shapes of all
    * kinds.
    */
   virtual bool HasPoints() const { return true; }
@@ -61,9 +61,9 @@ public:
   virtual bool CanStart() const { return false; }
 
   /**
-   * Makes radii and functions, and reports data that are left out. Call this before all functions
-   * below, and again when the domain is available. Returns a message about defects of usable data,
-   * or an empty string. Throws std::invalid_argument and std::runtime_error.
+   * Makes radii and functions, and reports ignored data. Call this before all functions below, and
+   * again when the domain is available. Returns a message about defects of usable data, or an empty
+   * string. Throws std::invalid_argument and std::runtime_error.
    */
   virtual std::string Prepare(ShapePreparation& preparation);
 
@@ -107,7 +107,9 @@ public:
   /** Checksum of the input's data (ContentSum.h). */
   std::uint64_t Content = 0;
 
-  /** Set if this shape is this rank's home part of the input (HomeParticles.h); else null. */
+  /**
+   * Set if this shape has only the particles that this rank owns (HomeParticles.h); otherwise null.
+   */
   std::shared_ptr<const HomePart> Home;
 
 protected:

@@ -76,7 +76,7 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
       "(vtkCleanPolyData); of a mesh that is meant to be open, a MeshThickness > 0 makes a shell.";
 }
 
-// Returns an empty string for other levels than 0, where the parts have another thickness.
+// Returns an empty string for a level other than 0, where the thickness of parts differs.
 std::string MeshShape::DescribeThinParts(const ShapeOptions& options) const
 {
   return options.Level.IsoValue == 0.0

@@ -51,7 +51,7 @@ bool MovingTarget::IsAt(int step, double fraction) const
   return step == this->Step && fraction == this->Fraction;
 }
 
-// Places the target unless it is there already. Returns true if its position changes.
+// Places the target unless it is already placed. Returns true if its position changes.
 bool MovingTarget::PlaceOnce(double fraction)
 {
   const bool moves = !this->IsAt(this->Way, fraction);

@@ -50,7 +50,7 @@ private:
   int Step = -1; // current step, or the step to place again; -1: none
   double Fraction = 0.0;
   bool IsPlaced = false;
-  bool HasJumped = true;  // changed other than by MoveTo
+  bool HasJumped = true;  // changed by another call than MoveTo
   bool HasChanged = true; // by the last MoveTo
   bool IsFinished = false;
 };

@@ -10,7 +10,7 @@ namespace
 {
 
 // Visits the points at 1 and 1.5 spacings outward of a particle, where a hollow may be. The second
-// is for a surface that is farther from the particle.
+// point is for a surface that is farther from the particle.
 void VisitHollow(
   const SkeletonVertex& particle, const double outward[3], const RegionVisitor& visit)
 {
@@ -123,7 +123,7 @@ void ParticleTarget::PlaceNodes(const NodeMotion& motion)
   this->Nodes.Build(track, options);
 }
 
-// Evaluates ellipsoids row by row, a sum node by node.
+// Evaluates ellipsoids row by row, and a sum of kernels node by node.
 void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
   if (!this->IsSum())

@@ -1,5 +1,5 @@
 // Moving particles as a target. F is either a sum of kernels, threshold - sum of strength *
-// kernel(distance / radius), or one of ellipsoids (ParticlePotential.h).
+// kernel(distance / radius), or the potential of ellipsoids (ParticlePotential.h).
 //
 // Outside all supports F is constant with gradient zero. There the target attracts a skin with the
 // constant speed that belongs to its Reach.
@@ -49,7 +49,7 @@ public:
   }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
-  // Visits the support of each particle, as any part that the skin does not meet contains a
+  // Visits the support of each particle, because any part that the skin does not meet contains a
   // support. Also visits two points outside each particle at the edge of a body, where a hollow may
   // be.
   std::size_t CountRegionSources() const override { return this->Now.size(); }
@@ -63,8 +63,8 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  // Returns the own radius of the particles of a step and the next one [length], 0 if they have
-  // radii, and sets their ratio to the support radii.
+  // Returns the own radius of the particles of a step and the next one [length], or 0 if the
+  // particles have radii. Sets the ratio of support radius to own radius.
   double FindOwnRadius(int step, double& reachPerRadius) const;
   // Value of the sum of kernels at the skin.
   double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }
@@ -72,15 +72,15 @@ private:
   const TargetFrames& Frames;
   const ShapeOptions Options;
 
-  // State of explicit substeps.
+  // Data of explicit substeps.
   std::vector<SkeletonVertex> Now;
-  Skeleton Elements;      // of a sum
-  ParticlePotential Body; // of ellipsoids; of a sum only to find hollows
+  Skeleton Elements;      // of a sum of kernels
+  ParticlePotential Body; // of ellipsoids; for a sum of kernels only to find hollows
 
-  // State of the node scheme.
+  // Data of the node scheme.
   double VoxelSize = 1.0;
   ParticleNodes Nodes;
-  std::vector<SkeletonVertex> AtNodes; // of a sum
+  std::vector<SkeletonVertex> AtNodes; // of a sum of kernels
   Skeleton ElementsAtNodes;
 };
 

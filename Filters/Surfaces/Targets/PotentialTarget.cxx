@@ -10,8 +10,8 @@ namespace activesurface
 namespace
 {
 
-// Fraction of Attraction that acts on noise. With the automatic attraction (six factors e in a time
-// step), noise decreases by a sixth in a time step.
+// Fraction of Attraction that acts on noise. With the automatic attraction (a factor e^6 per time
+// step), noise decreases by a sixth per time step.
 constexpr double SlowShare = 0.03;
 
 }
@@ -81,7 +81,7 @@ void PotentialTarget::Evaluate(
       }
       else if (!std::isfinite(slope))
       {
-        value = std::nan(""); // no time step would be stable: drops the sample
+        value = std::nan(""); // no time step would be stable, so the sample is dropped
       }
     }
   }

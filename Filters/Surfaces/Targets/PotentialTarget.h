@@ -1,4 +1,4 @@
-// A potential F as the target of a surface: the level and the side of F, and the choice of F or the
+// A potential F as the target of a surface. Selects the level and the side of F, and F or the
 // distance derived from F as the attraction.
 
 #ifndef PotentialTarget_h
@@ -22,8 +22,8 @@ struct TargetOptions
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
 
-  // Distance below which a deviation of the surface may be noise; the attraction is then reduced,
-  // down to 3 % [length]. 0: none. Used with Normalize only.
+  // Distance below which a deviation of the surface may be noise [length]. The attraction is then
+  // reduced, down to 3 %. 0: none. Used with Normalize only.
   double Noise = 0.0;
 };
 
@@ -35,10 +35,10 @@ public:
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
 
-  // Returns F - iso, negative inside, never normalized. Use it only for the zero set.
+  // Returns F - iso, negative inside, never normalized. Only its zero set is meaningful.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
 
-  // Also returns |grad F|, or 1 where that is 0 or not finite.
+  // Also returns |grad F|, or 1 where |grad F| is 0 or not finite.
   void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
 
   // Returns true if the regions contain the whole zero set.

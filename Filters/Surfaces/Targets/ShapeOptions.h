@@ -1,4 +1,4 @@
-/** Values of the filter's properties and of the surface that the kinds of input need. */
+/** Values of the filter's properties, and of the surface, that shapes need. */
 #ifndef ShapeOptions_h
 #define ShapeOptions_h
 
@@ -17,7 +17,7 @@ struct ShapeOptions
   double SpacingInUse = 0.0;                //< ParticleSpacing or its estimate; 0: unavailable
   double KernelRadius = 0.0; //< support radius of particles, skeletons [length]; 0: by the spacing
   double Anisotropy = 4.0;   //< of particles: largest ratio of axes
-  double Threshold = 0.5;    //< of sums
+  double Threshold = 0.5;    //< of sums of kernels
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   PeriodicBox Box;            //< of particles
   double MeshThickness = 0.0; //< [length]; 0: closed meshes
@@ -27,7 +27,7 @@ struct ShapeOptions
   double VoxelSize = 0.0;
 
   bool IsOnNodes = false;    //< particles are a target of the node scheme
-  double NoiseAtNodes = 0.0; //< noise at nodes [length], in place of Level.Noise
+  double NoiseAtNodes = 0.0; //< noise at nodes [length], replaces Level.Noise
 
   /**
    * Flags: the target provides its velocity; the target determines where tension acts; hollows can
@@ -40,7 +40,7 @@ struct ShapeOptions
   /** Returns true if the distinction between bodies and isolated particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }
 
-  /** Step of the differences that replace gradients a function does not provide [length]. */
+  /** Step of central differences, for functions without a gradient [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }
 };
 

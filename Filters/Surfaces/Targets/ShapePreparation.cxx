@@ -70,7 +70,7 @@ double ShapePreparation::FindSpacingOf(const ParticleFrame& frame, const Periodi
     return spacing;
   }
   const double diameter = 2.0 * FindMedianRadius(frame) / frame.ReachPerRadius;
-  return spacing > 0.0 ? std::min(spacing, diameter) : diameter; // balls may lie far apart
+  return spacing > 0.0 ? std::min(spacing, diameter) : diameter; // balls may be far apart
 }
 
 void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)

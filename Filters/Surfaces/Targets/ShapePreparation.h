@@ -25,10 +25,10 @@ struct ShapePreparation
   double& EstimatedSpacing; //< for all time steps [length]; 0: no estimate yet
   std::string When;         //< "at the time step 2", for messages
 
-  bool IsDomainKnown = false; //< else voxel size and reach are undefined
+  bool IsDomainKnown = false; //< otherwise voxel size and reach are undefined
   double Reach = 0.0;         //< width around a mesh in which distances are needed [length]
   double MaximumVoxels = 0.0; //< limit for the distances to a mesh [voxels]
-  std::string MeshHint;       //< appended to each error of a mesh; explains these limits
+  std::string MeshHint;       //< appended to each error of a mesh; explains Reach and MaximumVoxels
 
   /** Warns the user, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;
@@ -37,8 +37,7 @@ struct ShapePreparation
   std::function<void(const std::string& reason, const std::string& sentence)> Note;
 
   /**
-   * Typical distance of the particles: ParticleSpacing or the estimate; 0 if unavailable and
-   * unused.
+   * Typical distance of the particles: ParticleSpacing or the estimate; 0 if unknown or not needed.
    */
   double GetSpacing() const;
 
@@ -52,7 +51,7 @@ struct ShapePreparation
 
   /**
    * Returns the typical distance of a frame's particles. With radii: at most the median diameter.
-   * If no two particles are apart: that diameter, or 0 without radii.
+   * If all particles coincide: the median diameter, or 0 without radii.
    */
   static double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box);
 
@@ -61,8 +60,8 @@ struct ShapePreparation
 
   /**
    * Sets the support radii of a frame's particles, from their radii if there are any. Estimates the
-   * spacing from this frame if it is needed and there is none yet. Throws std::invalid_argument if
-   * no two particles are apart and there are neither radii nor a KernelRadius.
+   * spacing from this frame if it is needed and not yet estimated. Throws std::invalid_argument if
+   * all particles coincide and there are neither radii nor a KernelRadius.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);
 

@@ -24,7 +24,7 @@ constexpr const char* RadiusName = "Radius";
 constexpr const char* ReachName = "Reach";
 constexpr const char* StrengthName = "Strength";
 
-// Stores the last message of an object, which then does not appear in the output window.
+// Stores the last message of an object, and keeps it out of the output window.
 class LastReport
 {
 public:

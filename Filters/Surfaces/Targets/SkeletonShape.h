@@ -21,7 +21,7 @@ public:
   bool IsEmpty() const override { return this->Points.Particles.empty(); }
   const ParticleFrame* GetPoints() const override { return &this->Points; }
 
-  /** Makes the function at the first call, as it needs no voxels. */
+  /** Makes the function at the first call, because the function needs no voxels. */
   std::string Prepare(ShapePreparation& preparation) override;
   void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;

@@ -19,11 +19,11 @@ class TargetFrames
 public:
   void Clear();
 
-  // Adds a step. If the step is held already, replaces it; else drops Earlier. box: of particles.
-  // Distributed shapes are not matched.
+  // Adds a step. Replaces the step if it is stored already; otherwise drops Earlier. box: of
+  // particles. Distributed shapes are not matched.
   void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
 
-  // Replaces the held steps by a step and the next one, with their matches.
+  // Replaces the stored steps by a step and the next one, with their matches.
   void SetPair(int step, std::shared_ptr<InputShape> earlier, std::shared_ptr<InputShape> later,
     ParticleMatches matches)
   {
@@ -35,10 +35,10 @@ public:
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
 
-  // Returns the step added last, or the higher of two consecutive steps; -1 if none is held.
+  // Returns the step added last, or the higher of two consecutive steps; -1 without steps.
   int FindLastStep() const { return this->Later.Shape ? this->Later.Step : -1; }
 
-  // Returns the shape of a step; null if the step is not held.
+  // Returns the shape of a step; null if the step is not stored.
   InputShape* Find(int step) const;
 
   // Return the particles or the function of a step's shape; no particles, or null, if there are
@@ -46,10 +46,10 @@ public:
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
-  // Returns the track from a step to the next one, if that is held. Valid until a step is added.
+  // Returns the track from a step to the next one, if that is stored. Valid until a step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
-  // Returns the particle matches of a step and the next one; null if one is not held, or if they
+  // Returns the particle matches of a step and the next one; null if one is not stored, or if they
   // are not matched.
   const ParticleMatches* FindMatches(int step) const;
 
