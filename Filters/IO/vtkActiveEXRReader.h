@@ -2,39 +2,47 @@
  * @class   vtkActiveEXRReader
  * @brief   reads .exr images: all layers, as arrays
  *
- * One part of a file becomes an image of one slice, whose point arrays are the file's layers:
+ * One part of a file becomes an image of one slice, whose point arrays are the file's layers.
  *
- *   channels                            array
- *   R, G, B, A or R, G, B               RGBA or RGB, which are made the scalars
- *   N.X, N.Y, N.Z (or x, y, z)          N, of three components
- *   forward.u, forward.v                forward, of two
- *   diffuse.R, diffuse.G, diffuse.B     diffuse, of three; of four if there is diffuse.A
- *   weights.0, weights.1, ...           weights
- *   any other, as Z or id or light.key  an array of its own name
+ * @par Arrays
+ *   | Channels of the file            | Array of the image            |
+ *   | ------------------------------- | ----------------------------- |
+ *   | R, G, B, A or R, G, B           | RGBA or RGB, made the scalars |
+ *   | N.X, N.Y, N.Z (or x, y, z)      | N, of three components        |
+ *   | forward.u, forward.v            | forward, of two components    |
+ *   | diffuse.R, diffuse.G, diffuse.B | diffuse: three; four with .A  |
+ *   | weights.0, weights.1, ...       | weights                       |
+ *   | others, as Z, id or light.key   | of the channel's name         |
  *
- * HALF and FLOAT are read as float, bit by bit (NaN and infinity too), UINT as unsigned int. Colors
- * are returned as the file stores them: linear. A sample of a subsampled channel is repeated over
- * its pixels. Scanline and tiled files are read, of tiled ones the finest level. Deep data is an
- * error.
+ * - HALF and FLOAT are read as float, bit by bit (NaN and infinity too), UINT as unsigned int.
+ * - Colors are returned as the file stores them: linear.
+ * - A sample of a subsampled channel is repeated over its pixels.
+ * - Scanline and tiled files are read, of tiled ones the finest level. Deep data is an error.
+ * - The attributes of the header become field data of the output, by their names.
  *
- * Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window, whatever
- * the file's own coordinates. The extent is the data window, which may begin elsewhere or exceed
- * the display window (see Window). The attributes of the header become field data of the output, by
- * their names.
+ * @par Pixels
+ * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
+ *   whatever the file's own coordinates.
+ * - The extent is the data window, which may begin elsewhere or exceed the display window (see
+ *   Window).
  *
- * Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are
- * those of their headers, as vtkActiveEXRWriter writes them. If a header has no time, or the times
- * do not increase from file to file, they are 0, 1, 2 and so on. The extent covers the extents of
- * all files, with 0 where a file has no pixel. A time between two steps is the earlier one. Of
- * vtkImageReader2's other properties DataSpacing, DataOrigin and MemoryBuffer are supported; the
- * rest have no effect.
+ * @par Series
+ * - Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are
+ *   those of their headers, as vtkActiveEXRWriter writes them. If a header has no time, or the
+ *   times do not increase from file to file, they are 0, 1, 2 and so on.
+ * - The extent covers the extents of all files, with 0 where a file has no pixel.
+ * - A time between two steps is the earlier one.
  *
- * Every fault of a file (missing, truncated, damaged, larger than MaximumMemory, no EXR) is one
- * error with a sentence. ErrorCode returns the kind (vtkErrorCode), and the output is empty. Sizes
- * in a header are validated against the file size before memory is allocated.
+ * @par Properties and classes of VTK
+ * - Of vtkImageReader2's other properties DataSpacing, DataOrigin and MemoryBuffer are supported;
+ *   the rest have no effect.
+ * - vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
+ *   calls.
  *
- * vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
- * calls.
+ * @par Errors
+ * - Every fault of a file (missing, truncated, damaged, larger than MaximumMemory, no EXR) is one
+ *   error. ErrorCode returns the kind (vtkErrorCode), and the output is empty.
+ * - Sizes in a header are validated against the file size before memory is allocated.
  */
 
 #ifndef vtkActiveEXRReader_h
@@ -110,8 +118,8 @@ public:
 
   ///@{
   /**
-   * The parts of the file or, of a series, of its first file; available after UpdateInformation().
-   * A part without a name has an empty one. Types are scanlineimage, tiledimage, deepscanline and
+   * Parts of the file or, of a series, of its first file; available after UpdateInformation(). A
+   * part without a name has an empty one. Types are scanlineimage, tiledimage, deepscanline and
    * deeptile.
    */
   int GetNumberOfParts();
@@ -121,8 +129,8 @@ public:
 
   ///@{
   /**
-   * The channels of the selected part, sorted by name; available after UpdateInformation(). Types
-   * are UINT (0), HALF (1) and FLOAT (2). An index out of range returns null or -1.
+   * Channels of the selected part, sorted by name; available after UpdateInformation(). Types are
+   * UINT (0), HALF (1) and FLOAT (2). An index out of range returns null or -1.
    */
   int GetNumberOfChannels();
   const char* GetChannelName(int index);

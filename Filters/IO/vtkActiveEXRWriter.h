@@ -3,41 +3,52 @@
  * @brief   writes an image, with all its point arrays, as an .exr file of many layers
  *
  * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by the
- * convention of layers in .exr files:
+ * convention of layers in .exr files.
  *
- *   array                                              channels
- *   RGBA or RGB                                        R, G, B, A or R, G, B
- *   the scalars, unsigned char or short, 3 or 4 comp.  the same: pictures of other readers, windows
- *   other unsigned char or short, 3 or 4 components    name.R, name.G, name.B, name.A
- *   N, P, any of 3 components                          N.X, N.Y, N.Z
- *   forward, any of 2 components                       forward.u, forward.v
- *   any of 4 components                                name.R, name.G, name.B, name.A
- *   more components                                    name.0, name.1, ... (00, 01 beyond ten)
- *   Z, id, any of one component                        its name as it is; a dot makes a layer of it
+ * @par Channels
+ *   | Array of the image            | Channels of the file           |
+ *   | ----------------------------- | ------------------------------ |
+ *   | RGBA or RGB                   | R, G, B, A or R, G, B          |
+ *   | scalars of integer colors     | the same                       |
+ *   | others of integer colors      | name.R, name.G, name.B, name.A |
+ *   | N, P, others of 3 components  | N.X, N.Y, N.Z                  |
+ *   | forward, others of 2          | forward.u, forward.v           |
+ *   | others of 4                   | name.R, name.G, name.B, name.A |
+ *   | others of more                | name.0, ... (00, beyond ten)   |
+ *   | Z, id, others of 1            | its name as it is              |
  *
- * If the components of an array have names (SetComponentName), these names follow the dot.
- * AddChannel replaces the rule for an array. float and double arrays become FLOAT, integers UINT,
- * integer colors HALF from 0 to 1. AssignPixelType chooses another type for an array. A value that
- * does not fit (a number below 0 in UINT, 1e9 in HALF) is an error that reports the value. NaN and
- * infinity are accepted.
+ * - Integer colors: unsigned char or unsigned short, 3 or 4 components, as pictures of other
+ *   readers and of windows.
+ * - A dot in the name of an array of one component makes a layer of it.
+ * - If the components of an array have names (SetComponentName), these names follow the dot.
+ *   AddChannel replaces the rule for an array.
  *
- * Colors in EXR files are linear. The colors of a render window are encoded for a display: set
- * ColorEncoding to SRGB for them.
+ * @par Values
+ * - float and double arrays become FLOAT, integers UINT, integer colors HALF from 0 to 1.
+ *   AssignPixelType chooses another type for an array.
+ * - A value that does not fit (a number below 0 in UINT, 1e9 in HALF) is an error that reports the
+ *   value. NaN and infinity are accepted.
+ * - Colors in EXR files are linear. The colors of a render window are encoded for a display: set
+ *   ColorEncoding to SRGB for them.
+ * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
+ *   vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
  *
- * Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
- * vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
+ * @par Series
+ * - FileName may contain a run of #, or \%d or \%04d, which FrameNumber replaces. FilePrefix and
+ *   FilePattern are not used.
+ * - With WriteAllTimeSteps there is a file for each of the input's time steps, numbered from
+ *   FrameNumber on. Without a placeholder the number is put before the extension, name.0000.exr.
+ * - Pipeline time becomes the attribute "time".
  *
- * FileName may contain a run of #, or %d or %04d, which FrameNumber replaces. With
- * WriteAllTimeSteps there is a file for each of the input's time steps, numbered from FrameNumber
- * on. Without a placeholder the number is put before the extension, name.0000.exr. FilePrefix and
- * FilePattern are not used. Pipeline time becomes the attribute "time".
+ * @par Threads
+ * - All threads that vtkSMPTools may use pack the pixels, unless the program has set OpenEXR's own
+ *   number of threads. The bytes do not depend on that number.
  *
- * All threads that vtkSMPTools may use pack the pixels, unless the program has set OpenEXR's own
- * number of threads. The bytes do not depend on that number.
- *
- * A file is written whole or not at all: first under a temporary name in the same folder, then
- * renamed. A failure is one error with a sentence, ErrorCode returns the kind (vtkErrorCode), and
- * an existing file is kept.
+ * @par Errors
+ * - A file is written whole or not at all: first under a temporary name in the same folder, then
+ *   renamed.
+ * - A failure is one error, ErrorCode returns the kind (vtkErrorCode), and an existing file is
+ *   kept.
  */
 
 #ifndef vtkActiveEXRWriter_h

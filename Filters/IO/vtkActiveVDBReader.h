@@ -2,28 +2,30 @@
  * @class   vtkActiveVDBReader
  * @brief   reads .vdb files of any origin: volumes as images, points as poly data, series as time
  *
- * Volumes (level sets, fogs and other grids of float, half, double, int32, int64, bool, mask or
- * vectors of three) become a vtkImageData. Its points are the grid's voxels, with one point array
- * for each of the chosen grids, which have to share one transform. Voxels that are not stored
- * (tiles and background) have their values, too. Scale and translation become spacing and origin,
- * rotations the direction matrix. Sheared and perspective grids are an error.
+ * @par Output
+ * - Volumes (level sets, fogs and other grids of float, half, double, int32, int64, bool, mask or
+ *   vectors of three) become a vtkImageData. Its points are the grid's voxels, with one point array
+ *   for each of the chosen grids, which have to share one transform. Voxels that are not stored
+ *   (tiles and background) have their values, too.
+ * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared and
+ *   perspective grids are an error.
+ * - Points grids become a vtkPolyData with a vertex for each point and all attributes (groups as 0
+ *   or 1).
+ * - With OutputDense off, a level set is passed to the Target or the Initial of a
+ *   vtkActiveImplicitSurface, or to a vtkGridPotential, without a dense image. The output then has
+ *   an extent, but no array, and carries the grid.
+ * - If the ranks of a parallel program request pieces, the first piece is all of the data.
  *
- * Points grids become a vtkPolyData with a vertex for each point and all attributes (groups as 0 or
- * 1).
+ * @par Reading
+ * - Only the chosen grids are read. If Region is a box and the file allows it, only the leaves that
+ *   meet the box are read.
+ * - Several files are a series of time steps. Their times are the metadata "time", if all files
+ *   have them and they increase, else 0, 1, 2... A time between two of them is the earlier one.
  *
- * With OutputDense off, a level set is passed to the Target or the Initial of a
- * vtkActiveImplicitSurface, or to a vtkGridPotential, without a dense image. The output then has an
- * extent, but no array, and carries the grid.
- *
- * A file is validated down to its last leaf before it is read. A damaged file is an error with a
- * sentence and an ErrorCode, and the outputs are empty. Only the chosen grids are read. If Region
- * is a box and the file allows it, only the leaves that meet the box are read. Files older than
- * OpenVDB 2 are an error.
- *
- * Several files are a series of time steps. Their times are the metadata "time", if all files have
- * them and they increase, else 0, 1, 2... A time between two of them is the earlier one.
- *
- * If the ranks of a parallel program request pieces, the first piece is all of the data.
+ * @par Errors
+ * - A file is validated down to its last leaf before it is read. A damaged file is an error with an
+ *   ErrorCode, and the outputs are empty.
+ * - Files older than OpenVDB 2 are an error.
  */
 
 #ifndef vtkActiveVDBReader_h
@@ -49,8 +51,8 @@ public:
 
   ///@{
   /**
-   * The file or, with AddFileName, the files of a series in order. SetFileName replaces all names.
-   * Default: none, which is an error.
+   * File name or, with AddFileName, names of the files of a series in order. SetFileName replaces
+   * all names. Default: none, which is an error.
    */
   void SetFileName(const char* name);
   void AddFileName(const char* name);
@@ -61,9 +63,9 @@ public:
 
   ///@{
   /**
-   * The name of the grid to read; AddGridName adds more. Grids of equal name are called name,
-   * name[1], name[2]... Default: none, the first level set, else the first fog, else the first
-   * points, else the first grid of any other kind.
+   * Name of the grid to read; AddGridName adds more. Grids of equal name are called name, name[1],
+   * name[2]... Default: none, the first level set, else the first fog, else the first points, else
+   * the first grid of any other kind.
    */
   void SetGridName(const char* name);
   void AddGridName(const char* name);
@@ -79,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Part of a volume that becomes the image: the box of all active voxels (ACTIVE (0)), IndexRegion
-   * (INDEX (1)) or the voxels that cover WorldRegion (WORLD (2)). Default: ACTIVE.
+   * Part of a volume that becomes the image. ACTIVE (0): the box of all active voxels. INDEX (1):
+   * IndexRegion. WORLD (2): the voxels that cover WorldRegion. Default: ACTIVE.
    */
   vtkSetClampMacro(Region, int, ACTIVE, WORLD);
   vtkGetMacro(Region, int);
@@ -117,7 +119,7 @@ public:
 
   ///@{
   /**
-   * Converts volumes to dense images. If off, the image has no arrays, and carries a level set for
+   * Converts volumes to dense images. Off: the image has no arrays, and carries a level set for
    * filters that can use the grid itself, see above. Default: on.
    */
   vtkSetMacro(OutputDense, vtkTypeBool);
@@ -136,7 +138,7 @@ public:
 
   ///@{
   /**
-   * The grids of the file or, of a series, of the file that was read last; available after
+   * Grids of the file or, of a series, of the file that was read last; available after
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
    * vec3s, vec3d, vec3i, points) or that of an unknown tree. Half floats have the type "float" and
    * HalfFloat set. The class is "level set", "fog volume", "staggered vector field" or "unknown".

@@ -2,25 +2,30 @@
  * @class   vtkActiveVDBWriter
  * @brief   writes an active surface, a closed mesh or an image as narrow-band .vdb files
  *
- * Input: output port 0 or 1 of a vtkActiveImplicitSurface, whose own grid is written without a
- * dense image; any closed vtkPolyData; or any vtkImageData.
+ * @par Input
+ * - Output port 0 or 1 of a vtkActiveImplicitSurface, whose own grid is written without a dense
+ *   image.
+ * - Any closed vtkPolyData: each edge belongs to an even number of polygons; its points have to
+ *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
+ * - Any vtkImageData.
  *
- * The file of a surface has the grid "surface", a level set. Its values are the exact distance to
- * the skin's triangles [length], negative inside, within 3 voxels on either side, and +-3 voxels
- * beyond. Its transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it.
- * The properties below add the state to resume from, a fog, the velocity and the point arrays. A
- * mesh that does not come from a vtkActiveImplicitSurface has to be closed: each edge belongs to an
- * even number of polygons. Its points have to exist and be finite. The mesh is converted by
- * OpenVDB's meshToVolume with voxels of VoxelSize.
+ * @par Grids of a surface
+ * - "surface": a level set. Its values are the exact distance to the skin's triangles [length],
+ *   negative inside, within 3 voxels on either side, and +-3 voxels beyond. Its transform is exact:
+ *   voxels of the skin's VoxelSize, with nodes at multiples of VoxelSize.
+ * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
- * The file of an image has a grid for its active scalars (else its first point array). The grid is
- * named after the array, or "density", and values that are not 0 are active; see GridClass.
+ * @par Grids of an image
+ * - A grid for its active scalars (else its first point array), named after the array, or
+ *   "density". Values that are not 0 are active; see GridClass.
  *
- * All grids, and the file, have the metadata creator, time [pipeline time], frame (number of the
- * time step), units, and motion_X for each property X of the filter that shapes its motion.
+ * @par Metadata of the file and of all grids
+ * - creator, time [pipeline time], frame (number of the time step), units, and motion_X for each
+ *   property X of the filter that shapes its motion.
  *
- * A file is written under a temporary name, validated and then renamed, so it appears as a whole or
- * not at all. A failure is an error with a sentence and an ErrorCode.
+ * @par Errors
+ * - A file is written under a temporary name, validated and then renamed, so it appears as a whole
+ *   or not at all. A failure is an error with an ErrorCode.
  */
 
 #ifndef vtkActiveVDBWriter_h
@@ -61,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Makes Write() write a file for each time step of the input. Otherwise it writes one file, for
-   * the time of the input's last update. Default: off.
+   * Makes Write() write a file for each time step of the input. Off: one file, for the time of the
+   * input's last update. Default: off.
    */
   vtkSetMacro(WriteAllTimeSteps, vtkTypeBool);
   vtkGetMacro(WriteAllTimeSteps, vtkTypeBool);
@@ -121,9 +126,9 @@ public:
 
   ///@{
   /**
-   * Meaning of an image's scalars: anything (UNKNOWN (0)), a distance [length] that becomes a
-   * narrow band of 3 voxels in single precision (LEVEL_SET (1)), or a density (FOG_VOLUME (2)).
-   * Default: UNKNOWN.
+   * Meaning of an image's scalars. UNKNOWN (0): anything. LEVEL_SET (1): a distance [length] that
+   * becomes a narrow band of 3 voxels in single precision. FOG_VOLUME (2): a density. Default:
+   * UNKNOWN.
    */
   vtkSetClampMacro(GridClass, int, UNKNOWN, FOG_VOLUME);
   vtkGetMacro(GridClass, int);
@@ -160,9 +165,9 @@ public:
 
   ///@{
   /**
-   * Lossless compression of values: none (NONE (0)), only active values where these suffice
-   * (ACTIVE_MASK (1)), or active values packed by zlib (ZIP (2), slow) or by Blosc (BLOSC (3),
-   * fast). With ZIP, OpenVDB leaves level sets and fogs unpacked. Default: BLOSC.
+   * Lossless compression of values. NONE (0). ACTIVE_MASK (1): only active values are stored where
+   * these suffice. ZIP (2), slow, and BLOSC (3), fast: active values are packed by zlib or Blosc.
+   * With ZIP, OpenVDB leaves level sets and fogs unpacked. Default: BLOSC.
    */
   vtkSetClampMacro(Compression, int, NONE, BLOSC);
   vtkGetMacro(Compression, int);
@@ -174,7 +179,7 @@ public:
 
   ///@{
   /**
-   * The unit of length, as free text, for the metadata "units". Default: none.
+   * Unit of length, as free text, for the metadata "units". Default: none.
    */
   void SetUnits(const char* units);
   const char* GetUnits() const { return this->Units.c_str(); }
@@ -182,7 +187,7 @@ public:
 
   ///@{
   /**
-   * The ranks of a parallel program, which call Write together. All ranks update the input, and the
+   * Ranks of a parallel program, which call Write together. All ranks update the input, and the
    * first one writes its data. A vtkActiveImplicitSurface on these ranks provides all data there. A
    * null controller, or one of a single process, makes this process write. Default: VTK's global
    * controller.

@@ -3,38 +3,46 @@
  * @brief an image, or the distance to a mesh, as an implicit function
  *
  * F(x) is interpolated trilinearly between samples on a lattice; the gradient is the exact one of
- * that interpolation. F is negative inside, as all implicit functions of VTK. The samples are
+ * that interpolation. F is negative inside, as all implicit functions of VTK.
  *
- * - the point scalars of a vtkImageData, of any type and one component: F = sample - IsoValue, or
- *   IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix are used.
- *   Beyond the image's box F is the distance to the box [length], so a body that reaches the faces
- *   is closed there. In voxels that touch a pixel of value NaN, F is NaN.
- * - the voxels of a sparse level set that a vtkImageData carries in place of arrays
+ * @par Samples
+ * - Image: the point scalars of a vtkImageData, of any type and one component. F = sample -
+ *   IsoValue, or IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix
+ *   are used. Beyond the image's box F is the distance to the box [length], so a body that reaches
+ *   the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
+ * - Level set: the voxels of a sparse level set that a vtkImageData carries in place of arrays
  *   (vtkActiveVDBReader with OutputDense off), in the same way. Beyond its band F is the level
  *   set's background, + or - a constant, with gradient 0.
- * - the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice through
- *   the origin with voxels of VoxelSize, within Reach of the mesh; +-Reach with gradient 0 beyond.
- *   A closed mesh bounds a solid, whichever way its polygons are turned. Overlapping bodies are
- *   united, and voids within a body are filled. Parts thinner than a voxel may be missed.
+ * - Mesh: the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice
+ *   through the origin with voxels of VoxelSize, within Reach of the mesh. Beyond, F is +-Reach
+ *   with gradient 0. A closed mesh bounds a solid, whichever way its polygons are turned.
+ *   Overlapping bodies are united, and voids within a body are filled. Parts thinner than a voxel
+ *   may be missed.
  *
- * Meshes with defects. Points of equal coordinates are merged. GetDefects() reports the edges of
- * only one polygon (the mesh is open) and those of more than two polygons. It also reports omitted
- * polygons: a point is not finite or does not exist, or the area is exactly zero. A warning is
- * issued once when the mesh is read. A mesh is closed if each edge belongs to an even number of
- * polygons: closed bodies may touch along an edge. A mesh that is not closed becomes a shell if
- * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Otherwise it is treated as a
- * solid: points whose winding number exceeds a half are inside (generalized winding numbers), so a
- * cap from rim to rim closes a hole. A sheet has no inside. The inside is undefined if neighbouring
- * polygons are turned to different sides.
+ * @par Meshes with defects
+ * - Points of equal coordinates are merged.
+ * - GetDefects() reports edges of only one polygon (the mesh is open), edges of more than two
+ *   polygons, and omitted polygons: a point is not finite or does not exist, or the area is exactly
+ *   zero. A warning is issued once when the mesh is read.
+ * - A mesh is closed if each edge belongs to an even number of polygons: closed bodies may touch
+ *   along an edge.
+ * - A mesh that is not closed becomes a shell if MeshThickness > 0: F is the unsigned distance -
+ *   MeshThickness / 2. Otherwise it is treated as a solid: points whose winding number exceeds a
+ *   half are inside (generalized winding numbers), so a cap from rim to rim closes a hole.
+ * - A sheet has no inside. The inside is undefined if neighbouring polygons are turned to different
+ *   sides.
  *
- * Bad input is an error with a sentence, issued once when the input is read, and GetError(). F is
- * then 1 everywhere (outside) with gradient 0, as without input. Unusable inputs are: other data
- * sets, flat images (of one pixel along an axis), arrays that are missing or of several components,
- * axes that are not orthogonal, meshes without polygons, and lattices that are too large.
+ * @par Errors
+ * - Bad input is an error, issued once when the input is read and returned by GetError(). F is then
+ *   1 everywhere (outside) with gradient 0, as without input.
+ * - Unusable inputs: other data sets, flat images (of one pixel along an axis), arrays that are
+ *   missing or of several components, axes that are not orthogonal, meshes without polygons, and
+ *   lattices that are too large.
+ * - F and its gradient are NaN if x is not finite.
  *
- * Threads. Several threads may evaluate at once, as long as none modifies the function or its
- * input. The result is bitwise identical for any number of threads and for every method. F and its
- * gradient are NaN if x is not finite.
+ * @par Threads
+ * - Several threads may evaluate at once, as long as none modifies the function or its input.
+ * - The result is bitwise identical for any number of threads and for every method.
  */
 
 #ifndef vtkGridPotential_h
@@ -65,9 +73,9 @@ public:
 
   ///@{
   /**
-   * A vtkImageData, or a vtkPolyData with polygons or strips. It is read at the first evaluation
-   * after a change (of its MTime). The pixels of an image are not copied. Default: none, F is 1
-   * everywhere.
+   * A vtkImageData, or a vtkPolyData with polygons or strips. The input is read at the first
+   * evaluation after a change (of its MTime). The pixels of an image are not copied. Default: none,
+   * F is 1 everywhere.
    */
   void SetInput(vtkDataSet* input);
   vtkDataSet* GetInput();
@@ -102,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Image: makes values above IsoValue the inside, as in a scan of matter, instead of values below
-   * it, as in a distance. Default: off.
+   * Image: makes values above IsoValue the inside, as in a scan of matter. Off: values below
+   * IsoValue are inside, as in a distance. Default: off.
    */
   vtkSetMacro(InvertInside, vtkTypeBool);
   vtkGetMacro(InvertInside, vtkTypeBool);
@@ -112,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Mesh: spacing of the samples [length]. Memory and time of reading grow with its inverse to the
-   * third power, or to the second at a fixed number of voxels in Reach. Range: > 0, or -1,
+   * Mesh: spacing of the samples [length]. Memory and time of reading are proportional to 1 /
+   * VoxelSize^3, or 1 / VoxelSize^2 at a fixed number of voxels in Reach. Range: > 0, or -1,
    * automatic: the longest side of the mesh's bounds / 64. Default: -1.
    */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
@@ -122,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Mesh: largest computed distance from it [length]; beyond, F is +-Reach. Memory and time of
-   * reading are proportional to it. Values below three voxels are replaced by three voxels. Range:
-   * > 0, or -1, automatic: an eighth of the diagonal of the mesh's bounds. Default: -1.
+   * Mesh: largest computed distance [length]; beyond, F is +-Reach. Memory and time of reading are
+   * proportional to Reach. Values below three voxels are replaced by three voxels. Range: > 0,
+   * or -1, automatic: an eighth of the diagonal of the mesh's bounds. Default: -1.
    */
   vtkSetClampMacro(Reach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Reach, double);
@@ -133,9 +141,8 @@ public:
   ///@{
   /**
    * Mesh: thickness [length] of the shell made from a mesh that is not closed (an edge belongs to
-   * an odd number of polygons). A closed mesh stays a solid. Below about two voxels the shell has
-   * holes.
-   * Range: >= 0. Default: 0, no shell.
+   * an odd number of polygons). A closed mesh stays a solid. A shell below about two voxels has
+   * holes. Range: >= 0. Default: 0, no shell.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);

@@ -2,58 +2,67 @@
  * @class vtkSkeletonPotential
  * @brief sum of compact kernels around points and line segments, as an implicit function
  *
- * F(x) = Threshold - sum over elements of strength * W(distance to the element / radius),
+ * F is negative inside, as all implicit functions of VTK:
  *
- * negative inside, as all implicit functions of VTK. The sum and its gradient are exact. The cost
- * depends on the number of supports around x, not on the number of elements. With q = distance /
- * radius, the kernel W falls from W(0) = 1 to W(q >= 1) = 0:
+ *     F(x) = Threshold - sum of strength * W(distance / radius)
  *
- *     WYVILL        (1 - q^2)^3
- *     CUBIC_SPLINE  1 - 6 q^2 + 6 q^3 (q <= 1/2),  2 (1 - q)^3 (q > 1/2)
- *     METABALL      1 - 3 q^2 (q <= 1/3),  3/2 (1 - q)^2 (q > 1/3)
+ * The sum over all elements (distance: from x to the element) and its gradient are exact. The cost
+ * depends on the number of supports around x, not on the number of elements.
+ *
+ * @par Kernels, with q = distance / radius, W(0) = 1 and W(q >= 1) = 0
+ *   | Kernel       | W               | W for larger q       | q0     |
+ *   | ------------ | --------------- | -------------------- | ------ |
+ *   | WYVILL       | (1-q^2)^3       |                      | 0.4542 |
+ *   | CUBIC_SPLINE | 1 - 6q^2 + 6q^3 | 2 (1-q)^3, q > 1/2   | 0.3611 |
+ *   | METABALL     | 1 - 3q^2        | 3/2 (1-q)^2, q > 1/3 | 0.4226 |
  *
  * The influence of an element ends at its radius. The surface F = 0 of an isolated element is where
- * W(q) = Threshold / strength. At the defaults (Threshold 0.5, strength 1) that is at 0.4542
- * (WYVILL), 0.3611 (CUBIC_SPLINE) or 0.4226 (METABALL) of the radius.
+ * W(q) = Threshold / strength: at q0 with the defaults (Threshold 0.5, strength 1).
  *
- * Elements, from the input:
- * - segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength are
- *   linear between the two ends and are evaluated at the point of the segment closest to x. If they
- *   change along the segment, the gradient jumps across the planes through the ends. A piece that
- *   occurs twice counts once.
- * - points: every point that is the end of no segment, and every point of a vertex cell. Without
+ * @par Elements
+ * - Segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength are
+ *   linear between the two ends, evaluated at the point of the segment closest to x. If they change
+ *   along the segment, the gradient jumps across the planes through the ends. A piece that occurs
+ *   twice counts once.
+ * - Points: every point that is the end of no segment, and every point of a vertex cell. Without
  *   lines, and in any other vtkPointSet, these are all points, whatever the cells.
+ * - Through SetInputConnection also a vtkTable and composite data sets, as points, as for
+ *   vtkActiveImplicitSurface.
  *
- * A vtkTable and composite data sets are points, too, through SetInputConnection, as for
- * vtkActiveImplicitSurface.
+ * @par Joints
+ * - Joints do not bulge: the contribution of a point shared by m segments, which each segment
+ *   includes, is subtracted m - 1 times.
+ * - A straight line has the same potential however it is cut. A bent line or a branching is rounded
+ *   on the inner side of the bend and equal to a single segment elsewhere.
+ * - Only a shared point id makes a joint, not equal coordinates. To thicken a joint, give its point
+ *   a vertex cell.
  *
- * Joints do not bulge. The contribution of a point shared by m segments, which each segment
- * includes, is subtracted m - 1 times. A straight line thus has the same potential however it is
- * cut. A bent line or a branching is rounded on the inner side of the bend and equal to a single
- * segment elsewhere. Only a shared point id makes a joint, not equal coordinates. To thicken a
- * joint, give its point a vertex cell.
+ * @par Particles as a body of fluid: ParticleModel ANISOTROPIC
+ * - An ellipsoid is fitted to the neighbourhood of each point (Yu, Turk 2013), as by
+ *   vtkActiveImplicitSurface.
+ * - F is computed in single precision, to about 1e-6.
+ * - An isolated point is a ball of its own radius r, half of ParticleSpacing.
+ * - The surface of a body passes at distance r outside its outermost points: a layer is a plane,
+ *   and N points in a box have a volume of about N (2 r)^3.
+ * - Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
+ *   Threshold apply only to SUM.
  *
- * Particles as a body of fluid. ParticleModel ANISOTROPIC fits an ellipsoid to the neighbourhood of
- * each point (Yu, Turk 2013), as vtkActiveImplicitSurface does. An isolated point is a ball of its
- * own radius r, half of ParticleSpacing. The surface of a body passes at distance r outside its
- * outermost points: a layer is a plane, and N points in a box have a volume of about N (2 r)^3.
- * Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
- * Threshold apply only to SUM. With c_i, G_i the centre and the shape of an ellipsoid:
+ * With c_i, G_i the centre and the shape of an ellipsoid, s_i the strength of its point:
  *
  *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *
- * F is computed in single precision, to about 1e-6.
+ * @par Errors
+ * - Elements are ignored if a coordinate, radius or strength is not finite (or above 1e100), or a
+ *   radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts them, and a warning is
+ *   issued once when the input is read.
+ * - A named array that is missing or does not have one number per point is an error. F is then
+ *   Threshold everywhere, as without input or elements.
+ * - F and its gradient are NaN if x is not finite.
  *
- * Bad input. Elements are ignored if a coordinate, radius or strength is not finite (or above
- * 1e100), or a radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts them, and a
- * warning is issued once when the input is read. A named array that is missing or does not have one
- * number per point is an error. F is then Threshold everywhere, as without input or elements. F and
- * its gradient are NaN if x is not finite.
- *
- * Threads. Several threads may evaluate at once, as long as none modifies the function or its
- * input. The result is bitwise identical for any number of threads and for every method.
- * Contributions are always added in the same order: points, then joints, by point id, then segments
- * by cell.
+ * @par Threads
+ * - Several threads may evaluate at once, as long as none modifies the function or its input.
+ * - The result is bitwise identical for any number of threads and for every method. Contributions
+ *   are always added in the same order: points, then joints, by point id, then segments by cell.
  */
 
 #ifndef vtkSkeletonPotential_h
@@ -90,8 +99,9 @@ public:
 
   ///@{
   /**
-   * Points and segments, see above. They are read at the first evaluation after a change of the
-   * data set, its points or its arrays (of their MTime). Default: none, F is Threshold everywhere.
+   * Points and segments, see above. The data set is read at the first evaluation after a change of
+   * the data set, its points or its arrays (of their MTime). Default: none, F is Threshold
+   * everywhere.
    */
   void SetInput(vtkPointSet* input);
   vtkPointSet* GetInput();
@@ -109,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Distance [length] at which the influence of an element ends, without an array of radii.
-   * Range: >= 0; 1e-100 to 1e100, else all elements are ignored, with a warning. Default: 1.
+   * Distance [length] at which the influence of an element ends, without an array of radii. Range:
+   * >= 0; 1e-100 to 1e100, else all elements are ignored, with a warning. Default: 1.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
@@ -119,8 +129,7 @@ public:
   ///@{
   /**
    * Name of the point array of radii [length], one number > 0 per point, in place of Radius. Radii
-   * may differ by any factor; each halving adds to the cost of an evaluation.
-   * Default: empty, none.
+   * may differ by any factor; each halving adds to the cost of an evaluation. Default: empty, none.
    */
   void SetRadiusArrayName(const char* name);
   const char* GetRadiusArrayName() const { return this->RadiusArrayName.c_str(); }
@@ -128,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array of strengths [1], one number per point; negative ones carve. Range of
-   * the numbers: -1e100 to 1e100. Default: empty, all elements have strength 1.
+   * Name of the point array of strengths [1], one number per point. Negative strengths carve. Range
+   * of the numbers: -1e100 to 1e100. Default: empty, all elements have strength 1.
    */
   void SetStrengthArrayName(const char* name);
   const char* GetStrengthArrayName() const { return this->StrengthArrayName.c_str(); }
@@ -137,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Kernel: decrease of influence with distance. WYVILL (0), twice differentiable, the cheapest;
-   * CUBIC_SPLINE (1), the kernel of SPH, narrower; METABALL (2). Default: WYVILL.
+   * Kernel: decrease of influence with distance. WYVILL (0): twice differentiable, the cheapest.
+   * CUBIC_SPLINE (1): the kernel of SPH, narrower. METABALL (2). Default: WYVILL.
    */
   vtkSetClampMacro(Kernel, int, WYVILL, METABALL);
   vtkGetMacro(Kernel, int);
@@ -149,7 +158,7 @@ public:
 
   ///@{
   /**
-   * Sum of influences [1] on the surface F = 0, and the value of F away from all elements: lower
+   * Sum of influences [1] on the surface F = 0, and the value of F away from all elements. Lower
    * values give thicker bodies. Range: > 0; else all space would be inside, which is an error.
    * Default: 0.5.
    */
@@ -159,7 +168,7 @@ public:
 
   ///@{
   /**
-   * Model that makes a surface of points. SUM (0), of Kernel. ANISOTROPIC (1), flat for a body of
+   * Model of the surface of points. SUM (0): the sum of Kernel. ANISOTROPIC (1): flat for a body of
    * fluid, a ball of its own radius for an isolated point. Lines need SUM, else there is an error.
    * Default: SUM.
    */
@@ -180,7 +189,8 @@ public:
 
   ///@{
   /**
-   * Largest ratio of a kernel's axes [1], of ANISOTROPIC: 1 for balls. Range: 1 to 100. Default: 4.
+   * Largest ratio of an ellipsoid's axes [1], with ANISOTROPIC. 1 makes balls. Range: 1 to 100.
+   * Default: 4.
    */
   vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
   vtkGetMacro(Anisotropy, double);
@@ -188,8 +198,8 @@ public:
 
   /**
    * Box of all influence [length]: points and ends of segments, enlarged by their radii, or the
-   * ellipsoids of ANISOTROPIC. F is constant outside. Returns false, with uninitialized bounds,
-   * without elements. Reads the input.
+   * ellipsoids of ANISOTROPIC. F is constant outside the box. Returns false, with uninitialized
+   * bounds, without elements. Reads the input.
    */
   bool GetSkeletonBounds(double bounds[6]);
 

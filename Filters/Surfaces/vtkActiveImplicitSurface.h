@@ -3,84 +3,118 @@
  * @brief   a surface that follows a target through time and keeps its state
  *
  * The surface (skin) is the zero set of a potential phi, negative inside, stored on the lattice
- * nodes near it. It moves along its normal, splits and merges. See Desbrun and Cani-Gascuel, Active
- * Implicit Surface for Animation, Graphics Interface 1998.
+ * nodes near it. The skin moves along its normal, splits and merges. Source: Desbrun and
+ * Cani-Gascuel, Active Implicit Surface for Animation, Graphics Interface 1998.
  *
- * Normal speed of the skin, outward positive (eq. (2) to (4) and section 5 of the paper, the sign
- * of the tension corrected):
+ * Normal speed, outward positive (paper, eq. (2) to (4), section 5; sign of the tension corrected):
  *
- *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
- *       + Transport * (v . n) + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ *     Attraction * (TargetIsoValue - F) - Tension * kappa
+ *     + Transport * (v . n) + AreaStiffness * (A0 - A) / A0
+ *     + VolumeStiffness * (V0 - V) / V0
  *
  * F is the target, or the distance to it, reduced within TargetNoise. kappa is the sum of the
- * principal curvatures, v the velocity of the target's particles. The last two terms belong to
- * AreaControl and VolumeControl PENALTY.
+ * principal curvatures, n the outward normal, v the velocity of the target's particles. A and V are
+ * the skin's area and volume; their terms belong to AreaControl and VolumeControl PENALTY.
  *
- * Changing a property restarts the motion, except where its comment says otherwise. -1 is
- * automatic, where a property has such a value; Get...InUse returns what was found.
+ * A change of a property restarts the motion, except where its comment says otherwise. -1 is the
+ * automatic value of some properties; Get...InUse returns the value that was found.
  *
- * Input, port 0 (optional): the target; else TargetFunction.
- * - Particles: a vtkPointSet without cells or with vertices. All points are used, as points of a
- *   vtkSkeletonPotential. ParticleSpacing is the main property: it sets each particle's own radius
- *   r, half of the spacing, its kernel radius and, if automatic, VoxelSize (r) and TargetReach
- *   (6 r). SetInputArrayToProcess(0, ...) chooses an array of radii (of balls and tubes), (1, ...)
- *   of ids, (2, ...) of strengths. Without them KernelRadius, the point numbers and 1 are used.
- *   Or a vtkTable with the columns x, y, z (Points:0, Points:1, Points:2; pos_x ...), whose other
- *   columns are its arrays. Or blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet,
- *   ...): all points in the order of the blocks, with the arrays that all blocks have. A single
- *   block with points may be of any kind.
- * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with the same arrays.
+ * @par Input 0 (optional): target
+ * - No input: TargetFunction is the target.
+ * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
+ *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r, half
+ *   of the spacing, and its kernel radius; if automatic, also VoxelSize (r) and TargetReach (6 r).
+ * - Table of particles: a vtkTable with columns x, y, z (Points:0 ..., pos_x ...) and of arrays.
+ * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
+ *   block, with the arrays that all blocks have. A single block with points may be of any kind.
+ * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
  *   F is the distance to the mesh, from a vtkGridPotential.
- * - Image: a vtkImageData, whose values are F: its active point scalars, or the array chosen by (3,
- *   ...). Inside is below TargetIsoValue (InvertTarget: above; see there for masks), and within the
- *   image's box.
+ * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (InvertTarget: above;
+ *   see there for masks), and within the image's box.
  *
- * With time steps, all of one kind, the target moves. Particles move in straight lines from step to
- * step. They are matched by ids (equal ids in order of position). Without ids they are matched by
- * index if both steps have the same number of particles in the same order, else not at all. A
- * particle that is missing in the next step fades out during the interval: its strength falls
- * linearly to 0. A new particle fades in. Skeletons, meshes and images are blended: F = (1 - f) F0
- * + f F1 at a fraction f of the interval. Parts that do not overlap from step to step shrink and
- * grow (see CreateParts; skeletons vanish). A step without points, or a mesh without cells, has no
- * target: the skin shrinks towards it, and vanishes.
+ * @par Input 1 (optional): start, the shape at the first time
+ * - No input: InitialFunction, else the target, is the shape.
+ * - Mesh, image or single block as above, at its first time step.
  *
- * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
- * mesh or an image as above, or a single block, at its first time step; (4, ...) chooses the array.
+ * @par Arrays of the inputs: SetInputArrayToProcess(index, ...)
+ *   | Index | Unit        | Meaning                | If not chosen  |
+ *   | ----- | ----------- | ---------------------- | -------------- |
+ *   | 0     | length      | radii of balls, tubes  | KernelRadius   |
+ *   | 1     |             | ids of particles       | point numbers  |
+ *   | 2     | 1           | strengths              | 1              |
+ *   | 3, 4  | that of F   | F, image at input 0, 1 | active scalars |
+ *   | 5     | length/time | particles' velocities  | displacements  |
  *
- * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
- * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
- * inside. It is accurate within about 1.5 voxels, and clamped to +-3 voxels. Its extent covers
- * ModelBounds, in lattice nodes; the image is cropped there, but the skin is not. Without
- * ModelBounds it covers the first target, enlarged by a quarter. That extent is available before
- * the first update only if port 1 is connected. Port 2: the history, a vtkTable with a row for each
- * time step so far. The columns are Time [pipeline time], Substeps and MaxSpeed (of the attraction
- * [length/time]) since the row before, Area, Volume, ActiveVoxels, Components, Voids and
- * EulerCharacteristic of the skin, Outside, and Event. Event lists changes of the skin's parts
- * since the row before, joined by ", ": "merge", "split", "vanish", "birth", "void opens", "void
- * closes", "hole opens", "hole closes". With EvolutionMode EQUILIBRIUM it is "at rest", "at rest
- * but for x %" (which oscillate), or "not at rest". Outside is the fraction of the target outside
- * the skin, in [0,1]. Particles, and points of a skeleton, are counted if they are outside by more
- * than their own radius. Other targets are measured by volume: the inside in the target's box (a
- * function's: ModelBounds) that is outside by more than a voxel. A fraction of 1 % is accurate to
- * 0.16 %. Points beyond walls are ignored. Above 1 %, unless it falls from step to step, there is
- * one warning. The first of several pieces has the whole skin and history; the image is split.
+ * @par Target with time steps, all of one kind
+ * - Particles move in straight lines from step to step. They are matched by ids (equal ids in order
+ *   of position), without ids by index if both steps have the same number of particles, in the same
+ *   order, else not at all. A particle missing in the next step fades out: its strength falls
+ *   linearly to 0. A new particle fades in.
+ * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
+ *   interval. Parts that do not overlap shrink and grow (see CreateParts; skeletons vanish).
+ * - A step without points or mesh cells has no target: the skin shrinks towards it, and vanishes.
  *
- * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
- * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
- * A later time continues from the current state, and reads the input once for each step in between.
- * The same time again costs nothing. An earlier time continues from the nearest earlier checkpoint
- * (CheckpointInterval). A time between two steps branches off the earlier step. A time before the
- * first step or after the last, or within rounding of a step, is that step. The result depends only
- * on the time and the properties, bit by bit, not on the order of requests, the number of threads
- * or of ranks. The motion restarts when the target, the initial shape or a property that shapes it
- * changes. Data without time steps that replace other data restart the motion. In situ it
- * continues: an input whose list of time steps has grown is read for the new steps only. If no time
- * can be requested twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the requested times.
- * Advance adds single frames.
+ * @par Output 0: skin, a closed vtkPolyData of outward triangles
+ *   | Point array   | Unit        | Meaning                          |
+ *   | ------------- | ----------- | -------------------------------- |
+ *   | Normals       | 1           | outward normals (ComputeNormals) |
+ *   | Velocity      | length/time | velocity (ComputeVelocity)       |
+ *   | MeanCurvature | 1/length    | curvature (ComputeCurvature)     |
+ *   | as at input 0 | as there    | of particles (PassTargetArrays)  |
  *
- * A vanished skin is valid: empty output and one warning. Errors empty the outputs. The next update
- * continues from the last finished substep.
+ * @par Output 1: potential, a vtkImageData
+ * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
+ *   1.5 voxels, and clamped to +-3 voxels.
+ * - The extent covers ModelBounds, in lattice nodes, and crops the image, not the skin. Without
+ *   ModelBounds the extent covers the first target, enlarged by a quarter; before the first update
+ *   that extent is available only if port 1 is connected.
+ *
+ * @par Output 2: history, a vtkTable, one row per time step so far
+ *   | Column              | Unit          | Meaning                   |
+ *   | ------------------- | ------------- | ------------------------- |
+ *   | Time                | pipeline time | time step                 |
+ *   | Substeps            | 1             | count since previous row  |
+ *   | MaxSpeed            | length/time   | of attraction, since then |
+ *   | Area                | length^2      | of the skin               |
+ *   | Volume              | length^3      | of the skin               |
+ *   | ActiveVoxels        | 1             | of the skin               |
+ *   | Components, Voids   | 1             | counts, of the skin       |
+ *   | EulerCharacteristic | 1             | of the skin               |
+ *   | Outside             | 1             | fraction of the target    |
+ *   | Event               |               | changes, joined by ", "   |
+ *
+ * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
+ *   count if outside by more than their own radius. Other targets are measured by volume: the
+ *   inside in their box (a function's: ModelBounds) that is outside by more than a voxel. 1 % is
+ *   accurate to 0.16 %. Points beyond walls are ignored. Above 1 % there is one warning, unless the
+ *   fraction falls from step to step.
+ * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
+ *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
+ *   but for x %" (which oscillate), or "not at rest".
+ *
+ * @par Time
+ * - The time steps of the input are passed on. If it has fewer than two (TargetFunction, static
+ *   particles), StartTime + i * TimeStepSize are published.
+ * - The surface starts at the first time step. A later time continues from the current state, and
+ *   reads the input once for each step in between. The same time again costs nothing. An earlier
+ *   time continues from the nearest earlier checkpoint (CheckpointInterval).
+ * - A time between two steps branches off the earlier step. A time before the first step or after
+ *   the last, or within rounding of a step, is that step.
+ * - The motion restarts when the target, the initial shape or a property of the motion changes, and
+ *   when data without time steps replace other data. In situ the motion continues: of an input
+ *   whose list of time steps has grown, only the new steps are read.
+ * - If no time can be requested twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the
+ *   requested times. Advance adds single frames.
+ *
+ * @par Reproducibility
+ * - The result depends only on the time and the properties, bit by bit, not on the order of
+ *   requests, the number of threads or of ranks.
+ * - The first of several pieces has the whole skin and history; the image is split.
+ *
+ * @par Errors
+ * - Errors empty the outputs. The next update continues from the last finished substep.
+ * - A vanished skin is valid: empty output and one warning.
  */
 
 #ifndef vtkActiveImplicitSurface_h
@@ -114,44 +148,44 @@ public:
   // @name Target
 
   ///@{
-  /** Target, negative inside, instead of an input: any implicit function. All threads evaluate
+  /** Target, instead of an input: any implicit function, negative inside. All threads evaluate
    * functions that only read their own data (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder,
    * vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential;
-   * vtkImplicitBoolean of such) without a transform; else one thread does. Default: none. */
+   * vtkImplicitBoolean of such) without a transform; one thread evaluates others. Default: none. */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
   ///@}
 
   ///@{
-  /** Shape of the skin at the first time, negative inside, closed within a voxel of ModelBounds.
-   * Not together with input port 1. Default: none, the skin starts on the input of port 1, or else
-   * on the target, as it is at the first time. */
+  /** Shape of the skin at the first time, negative inside. A shape that reaches ModelBounds is
+   * closed there, within a voxel. Not together with input port 1. Default: none, the skin starts on
+   * the input of port 1, or else on the target at the first time. */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
   ///@}
 
   ///@{
   /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
-   * wall (the function of its inside with the sign inverted, as by a vtkImplicitBoolean). The skin
-   * ends on the obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice
-   * nodes, as F / |grad F|, where the skin comes within 8 voxels. Obstacles thinner than two voxels
-   * leak. The obstacle is static: a change, of its transform too, restarts the motion. It is not
-   * part of a saved state, so set it again. Threads as for TargetFunction. Default: none. */
+   * wall (its inside with the sign inverted, as by a vtkImplicitBoolean). The skin ends on the
+   * obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice nodes, as
+   * F / |grad F|, where the skin comes within 8 voxels. Obstacles thinner than two voxels leak. A
+   * change of the obstacle, of its transform too, restarts the motion. A saved state does not
+   * contain the obstacle: set it again. Threads as for TargetFunction. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}
 
   ///@{
-  /** Level of the target that attracts the skin [unit of the target's values]; of images at port
-   * 1 too. Range: finite. Default: 0, which for masks (images of two values, none negative) or
-   * fractions of volume (0 to 1, most of them 0 or 1) is the level between, with the inside
-   * above. */
+  /** Level of the target that attracts the skin [unit of the target's values]; of images at port 1
+   * too. Range: finite. Default: 0. For masks (images of two values, none negative) and fractions
+   * of volume (0 to 1, most of them 0 or 1) 0 is the level midway, with the inside above. */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
   ///@}
 
   ///@{
-  /** Puts the inside above TargetIsoValue; for images at port 1 too. Default: off, below. */
+  /** Puts the inside above TargetIsoValue; for images at port 1 too. Turn on for densities, which
+   * are larger inside. Default: off, below. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
@@ -159,9 +193,8 @@ public:
 
   ///@{
   /** Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
-   * F - TargetIsoValue. Attraction is then a rate for any scale of the target. Where the target is
-   * flat, the skin moves at constant speed. Off: the speed is as uneven as F, and steep targets
-   * cost many small substeps. Default: on. */
+   * F - TargetIsoValue. Attraction is then a rate for any scale of F; where F is flat, the speed is
+   * constant. Off: the speed is as uneven as F; steep targets cost many substeps. Default: on. */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
   vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
@@ -169,17 +202,16 @@ public:
 
   ///@{
   /** Distance [length] from the target beyond which the attraction is constant: the largest speed
-   * is Attraction * TargetReach. Larger values move distant skins faster, for more substeps. Range:
-   * > 0, or -1, automatic: 3 ParticleSpacing over particles, else an eighth of the bounds'
-   * diagonal. Default: -1. */
+   * is Attraction * TargetReach. Larger values are faster, in more substeps. Range: > 0, or -1,
+   * automatic: 3 ParticleSpacing over particles, else 1/8 of the bounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
 
   ///@{
-  /** Thickness [length] of the shell that an input mesh with open edges becomes; a closed mesh
-   * stays a solid. Below about two voxels the shell has holes. Range: >= 0, at most 1e30. Default:
-   * 0, no shell: holes are closed from rim to rim, by winding numbers, with a warning. */
+  /** Thickness [length] of the shell that an input mesh with open edges becomes. A closed mesh
+   * stays a solid. A shell below about two voxels has holes. Range: >= 0, at most 1e30. Default: 0,
+   * no shell: holes are closed from rim to rim, by winding numbers, with a warning. */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);
   ///@}
@@ -193,11 +225,11 @@ public:
   };
 
   ///@{
-  /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): a sum of
-   * ParticleKernel at ParticleThreshold, the paper's, bumpy and more than r too wide at the
-   * defaults. ANISOTROPIC (1), ellipsoids fitted to the neighbours, is flat for a body of particles
-   * and a ball of radius r for an isolated one, and has the particles' volume. Lines of a skeleton
-   * are always a SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
+  /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): the paper's sum of
+   * ParticleKernel at ParticleThreshold, bumpy, and more than r too wide at the defaults.
+   * ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles is flat and has their
+   * volume; an isolated particle is a ball of radius r. Lines of a skeleton are always a SUM.
+   * PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
@@ -206,30 +238,28 @@ public:
 
   ///@{
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
-   * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its
-   * third nearest, with a warning that says the value (or, where KernelRadius or an array of radii
-   * is given, the spacing that belongs to it). The estimate is the least of those of the first, the
-   * middle and the last time step. Steps with less than a tenth of the largest number of particles
-   * are ignored. These steps are read when the skin starts. If the input cannot go back in time,
-   * the estimate is that of the first particles. Default: -1. */
+   * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
+   * nearest, reported by a warning; with KernelRadius or an array of radii, the spacing that
+   * belongs to it. The estimate is the least of those of the first, middle and last time step, read
+   * when the skin starts. Steps with less than a tenth of the largest number of particles are
+   * ignored. If the input cannot go back in time, only the first particles count. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
   ///@{
-  /** Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
-   * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
-   * (An array of radii has the radii of the balls and tubes that the skin shows for isolated
-   * elements. Kernels end at 4.5 times that radius, with SUM where an isolated element gets that
-   * radius.) Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM, and lines) or 2.25
-   * (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+  /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
+   * smoother and slower. An array of radii, if chosen, replaces KernelRadius: the radii of the
+   * balls and tubes that the skin shows for isolated elements. Kernels then end at 4.5 times that
+   * radius, with SUM where an isolated element gets it. Range: 1e-30 to 1e30, or -1, automatic: 2
+   * (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
 
   ///@{
-  /** Largest ratio of the axes of a particle's influence [1], with ANISOTROPIC: 1 for balls. Range:
-   * 1 to 100. Default: 4. */
+  /** Largest ratio of the axes of a particle's ellipsoid [1], with ANISOTROPIC; 1 makes balls.
+   * Range: 1 to 100. Default: 4. */
   vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
   vtkGetMacro(Anisotropy, double);
   ///@}
@@ -243,8 +273,8 @@ public:
 
   ///@{
   /** Decrease of a particle's influence with distance, with SUM, from vtkSkeletonPotential: WYVILL
-   * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). It also weights the
-   * arrays that the skin gets from the particles. Default: WYVILL. */
+   * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). The kernel also
+   * weights the arrays that the skin gets from the particles. Default: WYVILL. */
   vtkSetClampMacro(ParticleKernel, int, WYVILL, METABALL);
   vtkGetMacro(ParticleKernel, int);
   void SetParticleKernelToWyvill() { this->SetParticleKernel(WYVILL); }
@@ -253,7 +283,7 @@ public:
   ///@}
 
   ///@{
-  /** Level [1] of the particles' summed influence at which SUM places the surface: lower values
+  /** Level [1] of the particles' summed influence at which SUM places the surface. Lower values
    * give thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0; else
    * all space would be inside. Default: 0.5. */
   vtkSetMacro(ParticleThreshold, double);
@@ -263,9 +293,9 @@ public:
   ///@{
   /** Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a
    * simulation of molecules. A particle that leaves the box through a side enters through the
-   * opposite side, wherever the input lists it. Between two time steps it moves on the shortest
-   * path. The skin is closed at the sides of the box. Range: finite; an axis with min >= max is not
-   * periodic. Default: (1, -1, 1, -1, 1, -1), none is. */
+   * opposite side, wherever the input lists it. Between two time steps a particle moves on the
+   * shortest path. The skin is closed at the sides of the box. Range: finite; an axis with min >=
+   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), none is. */
   vtkSetVector6Macro(PeriodicBounds, double);
   vtkGetVector6Macro(PeriodicBounds, double);
   ///@}
@@ -274,22 +304,20 @@ public:
 
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
-   * at its multiples. Half the size needs 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over particles (also of
-   * the estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the
-   * bounds' longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default:
-   * -1. */
+   * at its multiples. Half the size needs 4 times the memory, 8 times (with Tension 16) the time.
+   * Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over particles (also of the
+   * estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
+   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled,
-   * one evaluation for each lattice node, and which the potential's image covers. The skin may
-   * leave the box later. Range: finite, min < max on each axis, or unset. Default: unset (1, -1,
-   * 1, -1, 1, -1), the box of the first target and the initial shape (inputs,
-   * vtkSkeletonPotential and vtkGridPotential have one), enlarged by an eighth of its longest
-   * side, with images two voxels. */
+  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, at
+   * each lattice node, and which the potential's image covers. The skin may leave the box later.
+   * Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box
+   * of the first target and the initial shape (inputs, vtkSkeletonPotential and vtkGridPotential
+   * have one), enlarged by an eighth of its longest side, with images two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -306,35 +334,34 @@ public:
 
   ///@{
   /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
-   * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Range: >= 0, or -1, automatic: 6 over the time from a step of the input to the
-   * next one, so that 1/400 of a distance is left; 1 if the input does not move, with EQUILIBRIUM
-   * and with PaperScheme. Default: -1. */
+   * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
+   * target. Range: >= 0, or -1, automatic: 6 divided by the interval from an input step to the
+   * next, which leaves 1/400 of a distance; 1 if the input does not move, with EQUILIBRIUM and with
+   * PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
 
   ///@{
   /** Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures)
-   * to the speed. It smooths, and shrinks parts that the target does not hold. A ball without a
-   * target has radius sqrt(r0^2 - 4 * Tension * t). The distance to a ball of radius R holds a ball
-   * of radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension /
-   * Attraction). Targets whose F / |grad F| is larger inside hold smaller balls: particles down to
-   * about 2.4; a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 * Tension /
-   * Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range: >= 0,
-   * or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r; 0 over other targets,
-   * with TensionWeighting off, SUM, PaperScheme, and where particles need explicit substeps (see
-   * TimeIntegration). Default: -1. */
+   * to the speed. Tension smooths the skin, and shrinks parts that the target does not hold. A ball
+   * without a target has radius sqrt(r0^2 - 4 * Tension * t). The distance to a ball of radius R
+   * holds a ball of radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none if R < 2.83
+   * sqrt(Tension / Attraction). Targets whose F / |grad F| is larger inside hold smaller balls:
+   * particles down to about 2.4; a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 *
+   * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
+   * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r; 0 over other
+   * targets, with TensionWeighting off, SUM, PaperScheme, and where particles need explicit
+   * substeps (see TimeIntegration). Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
 
   ///@{
   /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
-   * particle or a thread of few: drops keep their size. The weight depends on a particle's
-   * neighbours within 3.6 spacings. A third of Tension acts with half of a
-   * body's neighbours, all of it with three quarters of them. Of no use to other targets, in
-   * explicit substeps and with PaperScheme. Default: on. */
+   * particle or a thread of few: drops keep their size. The weight depends on neighbours within 3.6
+   * spacings: a third with half of a body's neighbours, 1 with three quarters of them. Of no use to
+   * other targets, in explicit substeps and with PaperScheme. Default: on. */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
   vtkBooleanMacro(TensionWeighting, vtkTypeBool);
@@ -342,11 +369,11 @@ public:
 
   ///@{
   /** Amplitude [length] of noise in the target's surface. A skin within this distance of the target
-   * follows slowly, at 3 % of Attraction. Beyond, it soon follows at full Attraction; in a body of
-   * particles from 1.5 times the distance on. Particles move the skin of a body, as by Transport,
-   * only if they move together: velocities within the error of their mean are ignored. Drops and
-   * threads follow as before. The skin of a fluid in a steady state is therefore smooth and does
-   * not move, and is at most this distance from the target. With NormalizeTarget. Range: 0
+   * follows slowly, at 3 % of Attraction. Beyond, the skin soon follows at full Attraction; in a
+   * body of particles from 1.5 times the distance on. Particles move the skin of a body, as by
+   * Transport, only if they move together: velocities within the error of their mean are ignored.
+   * Drops and threads are not affected. The skin of a fluid in a steady state is therefore smooth,
+   * does not move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0
    * or 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r; 0 over other targets,
    * with SUM, PaperScheme, and where particles need explicit substeps. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
@@ -364,10 +391,10 @@ public:
 
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
-   * between shapes that do not overlap. A part appears with its size in that substep. Voids that
-   * only the target has, deep inside the skin, are created, too. Of a mesh or an image, or a
-   * vtkGridPotential as a function, that is a connected part, or a void, that the skin does not
-   * meet at all. Of particles, it is a part that the skin does not reach by itself. Parts that
+   * between disjoint shapes. A part appears with its size in that substep. Voids that only the
+   * target has, deep inside the skin, are created, too. Over a mesh, an image, or a
+   * vtkGridPotential as a function, these are connected parts and voids that the skin does not
+   * meet. Over particles, these are parts that the skin does not reach by itself. Parts that
    * Tension would remove are not created. Off: a skin only appears where the previous skin has
    * been. Of no use to skeletons of lines, to other functions and to the PaperScheme. Default:
    * on. */
@@ -385,9 +412,8 @@ public:
   ///@{
   /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
    * steps. EQUILIBRIUM (1): there are no time steps; each update moves the skin to a steady state
-   * on the target of the first time step. The motion ends by RestTolerance or
-   * MaximumNumberOfSubsteps. The history records which of them ended it, and a warning reports the
-   * latter. Default: TRANSIENT. */
+   * on the target of the first time step. RestTolerance or MaximumNumberOfSubsteps ends the motion.
+   * The history records which of them did, and a warning reports the latter. Default: TRANSIENT. */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
   vtkGetMacro(EvolutionMode, int);
   void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
@@ -395,17 +421,15 @@ public:
   ///@}
 
   ///@{
-  /** Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Unless
-   * it is 0, the motion also ends if only an oscillation remains; a warning reports oscillation
-   * of more than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default:
-   * 0.001. */
+  /** Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Above 0,
+   * the motion also ends if only an oscillation remains; a warning reports oscillation of more than
+   * 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001. */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);
   ///@}
 
   ///@{
-  /** Maximum number of substeps of an update, with EvolutionMode EQUILIBRIUM. Range: >= 0. Default:
-   * 10000. */
+  /** Largest number of substeps of an update, with EQUILIBRIUM. Range: >= 0. Default: 10000. */
   vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfSubsteps, int);
   ///@}
@@ -420,11 +444,11 @@ public:
   /** Integration in time. EXPLICIT (0): substeps as short as the fastest part of the skin needs.
    * AUTOMATIC (1): over particles one step for each time step, else EXPLICIT. That step carries the
    * skin, evaluates the target once, at lattice nodes near its surface, and relaxes the skin
-   * towards it. Particles use EXPLICIT, with a warning, for features that only substeps support: an
-   * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
-   * TargetIsoValue (with SUM: at least ParticleThreshold), EQUILIBRIUM, CreateParts or
-   * NormalizeTarget off, TargetEvaluation and GradientScheme other than by default, PaperScheme.
-   * Explicit substeps ignore Transport and TensionWeighting. Default: AUTOMATIC. */
+   * towards it. Explicit substeps ignore Transport and TensionWeighting. Particles use EXPLICIT,
+   * with a warning, for features that only substeps support: an Attraction that shortens distances
+   * by less than e^2 in a time step, penalties, InvertTarget, TargetIsoValue (with SUM: at least
+   * ParticleThreshold), EQUILIBRIUM, CreateParts or NormalizeTarget off, TargetEvaluation and
+   * GradientScheme other than by default, PaperScheme. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -433,7 +457,7 @@ public:
 
   ///@{
   /** Fraction [1] of the stable time step that a substep uses. Smaller values are more accurate in
-   * time, and take 1 / CFL times as long. Range: 1e-6 to 1. Default: 1. */
+   * time, and need 1 / CFL times as long. Range: 1e-6 to 1. Default: 1. */
   vtkSetMacro(CFL, double);
   vtkGetMacro(CFL, double);
   ///@}
@@ -446,11 +470,10 @@ public:
   };
 
   ///@{
-  /** Points at which the target is evaluated for the speed of a lattice node. SHIFTED (0): the
-   * crossings of the node's edges with the skin (paper, section 4.3), extended from there. NODE
-   * (1): the node itself, which freezes into a staircase (the paper's Figs. 2 and 3). CLOSEST_POINT
-   * (2): the closest point of the skin, as smooth as SHIFTED and four times the evaluations.
-   * Default: SHIFTED. */
+  /** Points at which the target is evaluated for a node's speed. SHIFTED (0): the crossings of the
+   * node's edges with the skin (paper, section 4.3), extended from there. NODE (1): the node
+   * itself; the skin freezes into a staircase (paper, Figs. 2 and 3). CLOSEST_POINT (2): the skin's
+   * closest point, as smooth as SHIFTED at four times the evaluations. Default: SHIFTED. */
   vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
   vtkGetMacro(TargetEvaluation, int);
   void SetTargetEvaluationToShifted() { this->SetTargetEvaluation(SHIFTED); }
@@ -465,9 +488,8 @@ public:
   };
 
   ///@{
-  /** Differences that advect the potential: CENTRAL (0), the paper's, which are unstable by
-   * themselves, or UPWIND (1), one-sided, from the side that the skin comes from. Default:
-   * UPWIND. */
+  /** Differences that advect the potential. CENTRAL (0): the paper's, unstable by themselves.
+   * UPWIND (1): one-sided, from the side that the skin comes from. Default: UPWIND. */
   vtkSetClampMacro(GradientScheme, int, CENTRAL, UPWIND);
   vtkGetMacro(GradientScheme, int);
   void SetGradientSchemeToCentral() { this->SetGradientScheme(CENTRAL); }
@@ -475,10 +497,9 @@ public:
   ///@}
 
   ///@{
-  /** Moves the skin by the paper's own scheme. The scheme has thresholds at 3 voxels, plain means
-   * of the samples (or TargetEvaluation) and F at the nodes beyond, central differences, its time
-   * steps (6) and (7) in a box of unit size. For comparison: it is slower and less accurate.
-   * Default: off. */
+  /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. Thresholds are
+   * at 3 voxels, samples are plain means (or by TargetEvaluation), F is used at nodes beyond,
+   * differences are central, time steps are (6) and (7) in a box of unit size. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -494,12 +515,12 @@ public:
   };
 
   ///@{
-  /** Control of the volume of the skin (paper, section 5.2). NONE (0). PENALTY (1): a speed in
-   * proportion to the missing fraction. A ball of radius r0 without a target keeps missing a
-   * fraction e, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses where
+  /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control. PENALTY (1): a
+   * speed in proportion to the missing fraction. A ball of radius r0 without a target keeps missing
+   * a fraction e, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
    * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
-   * restores the volume, to 1e-6 and through splits to 1e-5, without stiffness; a substep then
-   * takes three times as long. Default: NONE. */
+   * restores the volume, to 1e-6 and through splits to 1e-5, without stiffness. A substep then
+   * costs three times the time. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -515,8 +536,8 @@ public:
   ///@}
 
   ///@{
-  /** Volume [length^3] that VolumeControl conserves, with EXACT from the first frame on. Range: >=
-   * 0; 0 is that of the skin at the start. Default: 0. */
+  /** Volume [length^3] that VolumeControl conserves, with EXACT from the first frame on. Range:
+   * >= 0; 0 is that of the skin at the start. Default: 0. */
   vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetVolume, double);
   ///@}
@@ -524,8 +545,8 @@ public:
   ///@{
   /** Control of the area of the skin (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
    * with VolumeControl. The offset of a penalty is e (1 - e)^(1/2) = 2 Tension / (AreaStiffness
-   * r0), its least stiffness 5.196 Tension / r0. Not EXACT together with VolumeControl EXACT: one
-   * displacement cannot restore both. Default: NONE. */
+   * r0); its least stiffness is 5.196 Tension / r0. Not EXACT together with VolumeControl EXACT:
+   * one displacement cannot restore both. Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }
@@ -534,8 +555,7 @@ public:
   ///@}
 
   ///@{
-  /** Speed [length/time] per missing fraction of the area, with AreaControl PENALTY. Range: >= 0.
-   * Default: 1. */
+  /** Speed [length/time] per missing fraction of area, with PENALTY. Range: >= 0. Default: 1. */
   vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AreaStiffness, double);
   ///@}
@@ -550,9 +570,8 @@ public:
   // @name Time
 
   ///@{
-  /** Motion time per pipeline time [time/pipeline time]; Attraction and Tension are rates of motion
-   * time. An input with the steps 0, 1, 2 ... at 25 per second has TimeScale 1/25. Range: > 0.
-   * Default: 1. */
+  /** Motion time per pipeline time [time/pipeline time]. Attraction and Tension are rates of motion
+   * time. Set 1/25 for steps 0, 1, 2 ... at 25 per second. Range: > 0. Default: 1. */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
   ///@}
@@ -560,31 +579,29 @@ public:
   ///@{
   /** Time at which the skin coincides with a static target [pipeline time after the first time
    * step], to 0.1 voxel where the target is a distance nearby. Each part moves at constant speed;
-   * thin limbs grow along their length. Parts of only one of the two shapes grow from a core (with
-   * CreateParts) or shrink. Attraction keeps the skin on the target after that time. Ignored with
-   * EvolutionMode EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: by Attraction, the skin comes
-   * near for ever. Default: 0. */
+   * thin limbs grow along their length. Parts of only one shape grow from a core (with CreateParts)
+   * or shrink. Then Attraction keeps the skin on the target. Ignored with EQUILIBRIUM; needs
+   * NormalizeTarget. Range: >= 0; 0: by Attraction, the skin comes near for ever. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
 
   ///@{
-  /** First time step [pipeline time], published where the input has no time steps, or one; equal
+  /** First time step [pipeline time], published where the input has no time steps, or one. Equal
    * neighbours among its steps count as one. Range: finite. Default: 0. */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /** Interval of the time steps [pipeline time] that are published where the input has none. Range:
+  /** Interval [pipeline time] of the time steps that are published where the input has none. Range:
    * > 0. Default: 0.1. */
   vtkSetMacro(TimeStepSize, double);
   vtkGetMacro(TimeStepSize, double);
   ///@}
 
   ///@{
-  /** Number of time steps that are published where the input has none. Range: 1 to 1000000.
-   * Default: 11. */
+  /** Number of time steps published where the input has none. Range: 1 to 1000000. Default: 11. */
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
   vtkGetMacro(NumberOfTimeSteps, int);
   ///@}
@@ -609,26 +626,24 @@ public:
   ///@}
 
   ///@{
-  /** Adds the tangential component to "Velocity", so that the array is the whole motion of the
-   * skin, as motion blur needs. The component is the velocity of the particles, averaged with the
-   * weights of their kernels. Velocities are read from the array that SetInputArrayToProcess(5,
-   * ...) chooses, else found from the displacement since the previous step (at the first step, to
-   * the next one). Particles with neither are ignored. The component is 0 if no particle has a
-   * velocity, and for other targets. Off: only the normal velocity. Does not restart the motion.
-   * Default: on. */
+  /** Adds the tangential component to "Velocity", so that the array is the skin's whole motion, as
+   * motion blur needs. The component is the particles' velocity, averaged with the kernels'
+   * weights. Velocities are from the array that SetInputArrayToProcess(5, ...) chooses, else from
+   * the displacement since the previous step (at the first step, to the next). Particles with
+   * neither are ignored. The component is 0 if no particle has a velocity, and for other targets.
+   * Off: only the normal velocity. Does not restart the motion. Default: on. */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);
   vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
   ///@}
 
   ///@{
-  /** Largest length [length/time] of the vectors of "Velocity"; longer vectors lose part of their
-   * component along the normal. A skin that catches up, as in the notch of two parts that have just
-   * merged, moves at up to Attraction * TargetReach, which blurs into streaks. Range: >= 0; 0 is
-   * the speed of the fastest particle that is in both steps, its radius' change included (or by
-   * SetInputArrayToProcess(5, ...) with TangentialVelocity), over the interval since the step
-   * before (at the first step, to the next one); no bound if none moves, or for other targets. Does
-   * not restart the motion. Default: 0. */
+  /** Largest length [length/time] of the vectors of "Velocity". Longer ones lose part of their
+   * normal component. Skin that catches up, as where parts merge, moves at up to Attraction *
+   * TargetReach and blurs into streaks. Range: >= 0; 0 is the speed of the fastest particle that is
+   * in both steps, its radius' change included (or by SetInputArrayToProcess(5, ...) with
+   * TangentialVelocity), over the interval since the step before (at the first step, to the next
+   * one); no bound if none moves, or for other targets. Does not restart the motion. Default: 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
@@ -656,7 +671,7 @@ public:
 
   ///@{
   /** Makes the potential's image, output port 1, with each skin, so that GetPotential() has it
-   * after Update(); Update(1) always makes it. The image needs 4 bytes for each lattice node in the
+   * after Update(). Update(1) always makes it. The image needs 4 bytes for each lattice node in the
    * bounds. Does not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
@@ -674,16 +689,15 @@ public:
   ///@}
 
   ///@{
-  /** Memory [MiB] for stored states: 5 to 8 bytes per active voxel each. When it is full, the
-   * states whose removal leaves the smallest gaps are removed. Does not restart the motion. Range:
-   * >= 0. Default: 256. */
+  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. When full, states are
+   * removed so that gaps stay smallest. Does not restart the motion. Range: >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}
 
   ///@{
-  /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 * (d
-   * / VoxelSize)^2 active voxels. Distances to a mesh that need ten times as many voxels are an
+  /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 *
+   * (d / VoxelSize)^2 active voxels. Distances to a mesh that need ten times as many voxels are an
    * error, too. Does not restart the motion. Range: >= 1. Default: 50000000. */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
@@ -709,7 +723,7 @@ public:
   ///@{
   /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
    * step up to the time of the last update. LoadState loads it into a filter with the same
-   * properties and inputs. Any time from that of the state on then continues from there, bitwise
+   * properties and inputs. Times from that of the state on then continue from there, bitwise
    * identically. Return false, with an error, if there is no state, or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
@@ -728,7 +742,7 @@ public:
   /** Restarts the motion: at the next update, or at StartTime with the next Advance. */
   void ResetTrajectory();
 
-  /** Sets the paper's choices: PaperScheme on, SHIFTED, CENTRAL, NormalizeTarget off, SUM. */
+  /** Sets PaperScheme on, EXPLICIT, SHIFTED, CENTRAL, NormalizeTarget off and SUM, as the paper. */
   void PaperFaithful();
 
   ///@{
@@ -756,7 +770,7 @@ public:
   /** The potential's image; empty unless it was requested, see OutputPotential. */
   vtkImageData* GetPotential();
 
-  /** One row for each time step up to the skin, see above. */
+  /** One row for each time step up to the skin; columns: see above. */
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
@@ -764,7 +778,7 @@ public:
    * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is always the
    * same, with the new skin after each update. It is outside everywhere before the first update and
    * after an error. As the target of another surface it restarts that one with each change: to
-   * follow a moving skin, connect its output port instead. */
+   * follow a moving skin, connect the output port instead. */
   vtkImplicitFunction* GetSkinFunction();
 
   vtkMTimeType GetMTime() override;
