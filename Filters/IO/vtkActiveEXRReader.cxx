@@ -266,7 +266,7 @@ namespace
 {
 
 // Crops the image to the requested extent, as a rank of a parallel program needs.
-void TakePart(vtkInformation* information, vtkImageData* image)
+void CropToRequest(vtkInformation* information, vtkImageData* image)
 {
   int* part = information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   if (!part)
@@ -298,7 +298,7 @@ void vtkActiveEXRReader::ReadStep(vtkInformation* information)
       activesurface::ReadEXRImage(file, static_cast<std::size_t>(this->Part), files.Selection,
         files.Extent, this->MaximumMemory * bytesPerMiB, output);
     });
-  TakePart(information, output);
+  CropToRequest(information, output);
   files.Times.Mark(number, output);
 }
 

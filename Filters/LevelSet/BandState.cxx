@@ -100,13 +100,13 @@ TargetLimits BandState::FollowTarget(
   }
   catch (...)
   {
-    this->TakeBack();
+    this->Restore();
     throw;
   }
 }
 
 /** Undoes everything since the backup. */
-void BandState::TakeBack()
+void BandState::Restore()
 {
   if (const auto before = this->Backup.Get())
   {

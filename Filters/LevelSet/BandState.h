@@ -118,7 +118,7 @@ private:
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
-  void TakeBack();
+  void Restore();
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);

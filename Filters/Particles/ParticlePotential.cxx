@@ -121,7 +121,7 @@ private:
     return true;
   }
 
-  void EvaluateGroup(const NodeIndex& home, const std::size_t* members, int count) const
+  void EvaluateGroup(const NodeIndex& block, const std::size_t* members, int count) const
   {
     FitGroup group;
     group.Count = count;
@@ -131,11 +131,11 @@ private:
       for (int axis = 0; axis < 3; ++axis)
       {
         group.Place[axis][i] = static_cast<float>(
-          x[axis] / this->Potential.Unit - this->Blocks.GetBlockSize() * home[axis]);
+          x[axis] / this->Potential.Unit - this->Blocks.GetBlockSize() * block[axis]);
       }
     }
     PointSums sums;
-    this->Potential.Nodes.GetFits().SumAt(home, group, sums);
+    this->Potential.Nodes.GetFits().SumAt(block, group, sums);
     const double half = 0.5 / this->Potential.Unit;
     for (int i = 0; i < count; ++i)
     {

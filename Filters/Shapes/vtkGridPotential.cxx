@@ -45,13 +45,13 @@ namespace
 // but not lost.
 
 // Equidistant points along a normal.
-struct Way
+struct RayPoints
 {
   double Step;
   int Count;
 };
 
-Way MakeWay(const SurfaceSample& surface, double thickness)
+RayPoints MakeRayPoints(const SurfaceSample& surface, double thickness)
 {
   constexpr double within = 0.99; // tolerance, so that parts of exactly this thickness are not thin
   constexpr double part = 0.25;   // of the detail, to sample its slopes
@@ -64,15 +64,16 @@ Way MakeWay(const SurfaceSample& surface, double thickness)
 
 // Returns true if the function is positive and rises, within 45 degrees, at a point along the
 // normal.
-bool LeadsOut(const GridSamples& function, const SurfacePoint& from, double sense, const Way& way)
+bool LeadsOut(
+  const GridSamples& function, const SurfacePoint& from, double sense, const RayPoints& ray)
 {
   constexpr double steepest = 0.70710678118654752440; // the cosine of 45 degrees
-  for (int i = 1; i <= way.Count; ++i)
+  for (int i = 1; i <= ray.Count; ++i)
   {
     double x[3], gradient[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      x[axis] = from.Place[axis] + sense * (i * way.Step) * from.Normal[axis];
+      x[axis] = from.Place[axis] + sense * (i * ray.Step) * from.Normal[axis];
     }
     const double value = function.Evaluate(x, gradient);
     const double rise = sense * vtkMath::Dot(gradient, from.Normal.data());
@@ -87,7 +88,7 @@ bool LeadsOut(const GridSamples& function, const SurfacePoint& from, double sens
 // Returns the fraction of the area, 0 to 1, of parts thinner than `thickness`; 0 without points.
 double FindThinShare(const GridSamples& function, const SurfaceSample& surface, double thickness)
 {
-  const Way way = MakeWay(surface, thickness);
+  const RayPoints ray = MakeRayPoints(surface, thickness);
   const std::vector<SurfacePoint>& points = surface.Points;
   std::vector<char> isThin(points.size());
   constexpr std::size_t grain = 64;
@@ -97,7 +98,7 @@ double FindThinShare(const GridSamples& function, const SurfaceSample& surface, 
       for (std::size_t i = range.begin(); i != range.end(); ++i)
       {
         isThin[i] =
-          LeadsOut(function, points[i], 1.0, way) && LeadsOut(function, points[i], -1.0, way);
+          LeadsOut(function, points[i], 1.0, ray) && LeadsOut(function, points[i], -1.0, ray);
       }
     });
   double whole = 0.0, thin = 0.0;

@@ -65,25 +65,26 @@ std::string Join(const std::string& layer, const std::string& component)
   return layer.empty() ? component : layer + "." + component;
 }
 
-EXRLayer Take(Waiting& waiting, const std::string& layer, const std::vector<std::string>& names)
+EXRLayer MakeLayer(
+  Waiting& waiting, const std::string& layer, const std::vector<std::string>& names)
 {
-  EXRLayer taken;
-  taken.Integer = waiting.at(names.front()) == EXRPixel::UINT;
-  taken.Array = layer;
+  EXRLayer layerOfNames;
+  layerOfNames.Integer = waiting.at(names.front()) == EXRPixel::UINT;
+  layerOfNames.Array = layer;
   if (layer.empty())
   {
     for (const std::string& name : names)
     {
-      taken.Array += name; // RGBA
+      layerOfNames.Array += name; // RGBA
     }
   }
   for (const std::string& name : names)
   {
-    taken.Channels.push_back(Join(layer, name));
+    layerOfNames.Channels.push_back(Join(layer, name));
     waiting.erase(name);
   }
-  taken.Components = names;
-  return taken;
+  layerOfNames.Components = names;
+  return layerOfNames;
 }
 
 void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>& layers)
@@ -94,13 +95,13 @@ void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>
     // Without a layer, X, Y and Z are three images.
     if ((!layer.empty() || picture) && Has(waiting, names))
     {
-      layers.push_back(Take(waiting, layer, names));
+      layers.push_back(MakeLayer(waiting, layer, names));
       break;
     }
   }
   if (!layer.empty() && waiting.size() > 1 && Has(waiting, MakeNumbers(waiting.size())))
   {
-    layers.push_back(Take(waiting, layer, MakeNumbers(waiting.size())));
+    layers.push_back(MakeLayer(waiting, layer, MakeNumbers(waiting.size())));
   }
   for (const auto& [name, type] : waiting)
   {

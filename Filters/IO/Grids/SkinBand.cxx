@@ -153,7 +153,7 @@ public:
     while (!layer.empty())
     {
       const std::vector<Nearest> found = this->Find(layer, isFirst);
-      layer = this->Grow(this->Take(layer, found));
+      layer = this->Grow(this->Store(layer, found));
       isFirst = false;
     }
     openvdb::tools::signedFloodFill(this->Result.Distances->tree());
@@ -203,13 +203,13 @@ private:
   }
 
   // Stores the nodes of a layer that belong to the band and returns them.
-  Layer Take(const Layer& layer, const std::vector<Nearest>& found)
+  Layer Store(const Layer& layer, const std::vector<Nearest>& found)
   {
     const openvdb::FloatGrid::ConstPtr band = GetPotential(this->Band);
     auto potential = band->getConstUnsafeAccessor();
     auto distances = this->Result.Distances->getAccessor();
     auto triangles = this->Result.Triangles->getAccessor();
-    Layer taken;
+    Layer stored;
     for (std::size_t i = 0; i < layer.size(); ++i)
     {
       const auto distance = static_cast<float>(std::sqrt(found[i].Square));
@@ -217,10 +217,10 @@ private:
       {
         distances.setValue(layer[i], potential.getValue(layer[i]) < 0.f ? -distance : distance);
         triangles.setValue(layer[i], found[i].Triangle);
-        taken.push_back(layer[i]);
+        stored.push_back(layer[i]);
       }
     }
-    return taken;
+    return stored;
   }
 
   // Returns the neighbours of the layer's nodes that have no distance yet.

@@ -179,7 +179,7 @@ ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
 }
 
 /** Sets a row after a step: the new value at active nodes, else the old value. */
-ACTIVE_ALWAYS_INLINE void TakeActive(
+ACTIVE_ALWAYS_INLINE void ReplaceActive(
   const float* was, const float* is, unsigned active, float* next)
 {
   const RowMask& takes = MaskOfBits(active);

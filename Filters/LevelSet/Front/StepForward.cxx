@@ -140,7 +140,7 @@ struct StepLeaf
       float next[8];
       std::copy_n(u, 8, next);
       AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), this->Coefficients, next);
-      TakeActive(u, next, active, result);
+      ReplaceActive(u, next, active, result);
       unbounded |= AnyUnbounded(next, active);
       if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))
       {

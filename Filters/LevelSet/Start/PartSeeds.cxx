@@ -62,7 +62,7 @@ SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
 
 void PartSeeds::AddRegions(const Target& target)
 {
-  const Candidates found = this->LookAtAll(target);
+  const Candidates found = this->SearchAll(target);
   for (const TargetRegion& box : found.Boxes)
   {
     this->Leaves.AddRegion(
@@ -74,7 +74,7 @@ void PartSeeds::AddRegions(const Target& target)
   }
 }
 
-PartSeeds::Candidates PartSeeds::LookAtAll(const Target& target) const
+PartSeeds::Candidates PartSeeds::SearchAll(const Target& target) const
 {
   constexpr std::size_t atOnce = 4096;
   const std::size_t sources = target.CountRegionSources();
@@ -83,7 +83,7 @@ PartSeeds::Candidates PartSeeds::LookAtAll(const Target& target) const
     [&](std::size_t i)
     {
       target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
-        [&](const TargetRegion& region) { this->Look(region, found[i]); });
+        [&](const TargetRegion& region) { this->SearchRegion(region, found[i]); });
     });
   Candidates all;
   for (const Candidates& some : found)
@@ -94,7 +94,7 @@ PartSeeds::Candidates PartSeeds::LookAtAll(const Target& target) const
   return all;
 }
 
-void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
+void PartSeeds::SearchRegion(const TargetRegion& region, Candidates& found) const
 {
   openvdb::Coord node;
   if (region.Seeds == RegionSeeds::AllNodes)

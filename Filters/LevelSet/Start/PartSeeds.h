@@ -71,8 +71,8 @@ private:
     Nodes Centres;
   };
 
-  Candidates LookAtAll(const Target& target) const;
-  void Look(const TargetRegion& region, Candidates& found) const;
+  Candidates SearchAll(const Target& target) const;
+  void SearchRegion(const TargetRegion& region, Candidates& found) const;
   /**
    * Returns the leaves of the nodes at which the target differs from the skin, in ascending order.
    */

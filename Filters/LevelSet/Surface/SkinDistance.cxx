@@ -26,8 +26,8 @@ constexpr float LeastGradientNorm = .05f;
 using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
 /** Reads u one node farther along an axis. If that node is in the layers, increments steps. */
-void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, int side, int& steps,
-  float& value)
+void SearchAlong(const LeafTable& table, const LeafTable::Place& node, int axis, int side,
+  int& steps, float& value)
 {
   const LeafTable::Place place = table.Step(node.Leaf, node.Node, axis, side);
   if (place.Leaf >= 0 && table[place.Leaf].UpToLayer[LastLayer].Has(place.Node))
@@ -47,8 +47,8 @@ float GradientNormAt(const LeafTable& table, const LeafTable::Place& node)
   {
     int steps = 0;
     float before = own, after = own;
-    LookAlong(table, node, axis, -1, steps, before);
-    LookAlong(table, node, axis, 1, steps, after);
+    SearchAlong(table, node, axis, -1, steps, before);
+    SearchAlong(table, node, axis, 1, steps, after);
     const float difference = steps > 0 ? (after - before) / static_cast<float>(steps) : 0.f;
     square += difference * difference;
     isKnown = isKnown || steps > 0;

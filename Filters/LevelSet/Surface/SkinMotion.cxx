@@ -27,10 +27,10 @@ namespace
 /** Motion at the vertices. */
 struct VertexMotion
 {
-  std::vector<double> Points;  //< x y z of each vertex
-  std::vector<float> Normals;  //< of each vertex
-  std::vector<double> Ways;    //< displacement of each vertex in the whole frame [length]
-  std::vector<float> Bulks;    //< of each vertex
+  std::vector<double> Points;        //< x y z of each vertex
+  std::vector<float> Normals;        //< of each vertex
+  std::vector<double> Displacements; //< displacement of each vertex in the whole frame [length]
+  std::vector<float> Bulks;          //< of each vertex
   std::vector<double> Changes; //< change of the distance to the target along the path [length]
 };
 
@@ -62,7 +62,7 @@ float Interpolate(const float (&values)[LeafMotion::Points], const double (&plac
   return static_cast<float>(sum);
 }
 
-void FindWays(const NarrowBand& band, NodeTarget& nodes, VertexMotion& vertices)
+void FindDisplacements(const NarrowBand& band, NodeTarget& nodes, VertexMotion& vertices)
 {
   const double voxel = band.GetVoxelSize();
   const LeafTable& table = band.GetLeaves();
@@ -86,7 +86,8 @@ void FindWays(const NarrowBand& band, NodeTarget& nodes, VertexMotion& vertices)
         }
         for (int axis = 0; axis < 3; ++axis)
         {
-          vertices.Ways[3 * v + axis] = voxel * Interpolate(motion.Displacement[axis], place);
+          vertices.Displacements[3 * v + axis] =
+            voxel * Interpolate(motion.Displacement[axis], place);
         }
         vertices.Bulks[v] = Interpolate(motion.Bulk, place);
       }
@@ -106,7 +107,7 @@ void AddDistances(
     std::vector<double> places(3 * count), values(count), slopes(count);
     for (std::size_t k = 0; k < 3 * count; ++k)
     {
-      places[k] = vertices.Points[3 * first + k] + share * vertices.Ways[3 * first + k];
+      places[k] = vertices.Points[3 * first + k] + share * vertices.Displacements[3 * first + k];
     }
     TargetResults results;
     results.Values = values.data();
@@ -135,15 +136,16 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
   VertexMotion vertices;
   vertices.Points.resize(3 * count);
   vertices.Normals.resize(3 * count);
-  vertices.Ways.resize(3 * count);
+  vertices.Displacements.resize(3 * count);
   vertices.Bulks.resize(count);
   vertices.Changes.resize(count);
   std::vector<std::int64_t> corners(3 * skin.GetNumberOfTriangles());
   skin.Write(vertices.Points.data(), vertices.Normals.data(), corners.data());
   Target& target = forces.Attractor;
-  constexpr double wholeWay = 1.0;
-  target.GetNodes()->PlaceNodes({ forces.Begin, forces.End, wholeWay, band.GetVoxelSize() });
-  FindWays(band, *target.GetNodes(), vertices);
+  constexpr double wholeDisplacement = 1.0;
+  target.GetNodes()->PlaceNodes(
+    { forces.Begin, forces.End, wholeDisplacement, band.GetVoxelSize() });
+  FindDisplacements(band, *target.GetNodes(), vertices);
   target.MoveTo(forces.Begin);
   AddDistances(band, target, -share, -1.0, vertices);
   target.MoveTo(forces.End);
@@ -179,7 +181,7 @@ void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector
     double along = 0.0;
     for (std::size_t k = 3 * v; k < 3 * v + 3; ++k)
     {
-      along += vertices.Ways[k] * vertices.Normals[k];
+      along += vertices.Displacements[k] * vertices.Normals[k];
     }
     const double change = vertices.Changes[v];
     const double followed =

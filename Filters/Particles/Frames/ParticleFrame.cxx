@@ -67,7 +67,7 @@ bool IsSingle(vtkPointSet* points)
 }
 
 // Sets the ids of the particles from their points, or to the point indices if `ids` is empty.
-void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
+void SetIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
   {
@@ -243,7 +243,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
     }
   }
   frame.Ignored = static_cast<std::size_t>(count) - frame.Particles.size();
-  TakeIds(std::move(allIds), frame);
+  SetIds(std::move(allIds), frame);
   Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);

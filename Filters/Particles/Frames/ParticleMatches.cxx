@@ -85,53 +85,57 @@ bool CanMatch(const ParticleFrame& earlier, const ParticleFrame& later)
 
 }
 
-std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
-  const std::vector<std::size_t>& partners, const PeriodicBox& box)
+std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earlier,
+  const ParticleFrame& later, const std::vector<std::size_t>& partners, const PeriodicBox& box)
 {
   constexpr std::size_t enough = 1000;
   const auto stride = static_cast<std::int64_t>(1 + earlier.CountAllParticles() / enough);
-  std::vector<NumberedWay> ways;
+  std::vector<NumberedDisplacement> displacements;
   for (std::size_t i = 0; i < partners.size(); ++i)
   {
     if (partners[i] != NoPartner && earlier.Ids[i] % stride == 0)
     {
       const SkeletonVertex from = earlier.Particles[i], to = later.Particles[partners[i]];
-      NumberedWay way{ earlier.Ids[i], {} };
+      NumberedDisplacement displacement{ earlier.Ids[i], {} };
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        way.Way[axis] = box.Nearest(axis, to.Position[axis] - from.Position[axis]);
+        displacement.Displacement[axis] =
+          box.Nearest(axis, to.Position[axis] - from.Position[axis]);
       }
-      ways.push_back(way);
+      displacements.push_back(displacement);
     }
   }
-  return ways;
+  return displacements;
 }
 
 // Criterion: the median displacement, after subtraction of the mean, exceeds 20 % of the cloud's
 // diagonal.
-bool AreShuffled(
-  std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box)
+bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
+  const PeriodicBox& box)
 {
   constexpr std::size_t fewParticles = 100; // with fewer particles, indices are always used
   constexpr double acrossTheCloud = 0.2;    // fraction of the cloud's diagonal
-  if (ways.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
+  if (displacements.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
   {
     return false;
   }
-  std::sort(ways.begin(), ways.end(),
-    [](const NumberedWay& a, const NumberedWay& b) { return a.Number < b.Number; });
+  std::sort(displacements.begin(), displacements.end(),
+    [](const NumberedDisplacement& a, const NumberedDisplacement& b)
+    { return a.Number < b.Number; });
   std::array<double, 3> mean = { 0.0, 0.0, 0.0 };
-  for (const NumberedWay& way : ways)
+  for (const NumberedDisplacement& displacement : displacements)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      mean[axis] += way.Way[axis] / static_cast<double>(ways.size());
+      mean[axis] += displacement.Displacement[axis] / static_cast<double>(displacements.size());
     }
   }
   std::vector<double> lengths;
-  for (const NumberedWay& way : ways)
+  for (const NumberedDisplacement& displacement : displacements)
   {
-    const double x = way.Way[0] - mean[0], y = way.Way[1] - mean[1], z = way.Way[2] - mean[2];
+    const double x = displacement.Displacement[0] - mean[0],
+                 y = displacement.Displacement[1] - mean[1],
+                 z = displacement.Displacement[2] - mean[2];
     lengths.push_back(std::sqrt(x * x + y * y + z * z));
   }
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
@@ -165,12 +169,12 @@ ParticleMatches MatchParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box)
 {
   ParticleMatches matches = PairParticles(earlier, later, false);
-  return AreShuffled(PickWays(earlier, later, matches.Partners, box), earlier, box)
+  return AreShuffled(SampleDisplacements(earlier, later, matches.Partners, box), earlier, box)
     ? PairParticles(earlier, later, true)
     : matches;
 }
 
-double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,
+double FindLargestDisplacement(const ParticleFrame& earlier, const ParticleFrame& later,
   const ParticleMatches& matches, const PeriodicBox& box)
 {
   double longest = 0.0;
@@ -179,10 +183,10 @@ double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,
     if (matches.Partners[i] != NoPartner)
     {
       const SkeletonVertex from = earlier.Particles[i], to = later.Particles[matches.Partners[i]];
-      const double way = std::hypot(box.Nearest(0, to.Position[0] - from.Position[0]),
+      const double displacement = std::hypot(box.Nearest(0, to.Position[0] - from.Position[0]),
         box.Nearest(1, to.Position[1] - from.Position[1]),
         box.Nearest(2, to.Position[2] - from.Position[2]));
-      longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
+      longest = std::max(longest, displacement + std::fabs(to.Radius - from.Radius));
     }
   }
   return longest;

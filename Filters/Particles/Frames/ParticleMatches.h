@@ -44,24 +44,25 @@ VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
 
 // Displacement of a particle from step to step, and its index.
-struct NumberedWay
+struct NumberedDisplacement
 {
   std::int64_t Number;
-  double Way[3];
+  double Displacement[3];
 };
 
 // Returns the displacements of partners, at most about 1,000, evenly selected by index.
-VTKACTIVEPARTICLES_EXPORT std::vector<NumberedWay> PickWays(const ParticleFrame& earlier,
-  const ParticleFrame& later, const std::vector<std::size_t>& partners, const PeriodicBox& box);
+VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
+  const ParticleFrame& earlier, const ParticleFrame& later,
+  const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
 // Returns true if equal indices are different particles, judged by the displacements of the whole
 // frame in any order. `earlier` may be a part of the frame.
-VTKACTIVEPARTICLES_EXPORT bool AreShuffled(
-  std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box);
+VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
+  const ParticleFrame& earlier, const PeriodicBox& box);
 
 // Largest sum of displacement and change of radius, among the particles of both steps; 0 if there
 // are none.
-VTKACTIVEPARTICLES_EXPORT double FindLongestWay(const ParticleFrame& earlier,
+VTKACTIVEPARTICLES_EXPORT double FindLargestDisplacement(const ParticleFrame& earlier,
   const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);
 
 // Indices of a particle in the two steps; NoPartner if it is absent.

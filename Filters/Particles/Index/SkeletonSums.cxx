@@ -21,7 +21,7 @@ ACTIVE_ALWAYS_INLINE ElementIndex::Place PlaceAt(const double x[3])
 }
 
 // Fills all lanes; unused lanes repeat the last member.
-ACTIVE_ALWAYS_INLINE SkeletonLanes TakePlaces(
+ACTIVE_ALWAYS_INLINE SkeletonLanes GatherPositions(
   const double* points, const std::size_t* members, int count)
 {
   SkeletonLanes lanes;
@@ -151,7 +151,7 @@ private:
 
   ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
   {
-    SkeletonLanes lanes = TakePlaces(this->Points, members, count);
+    SkeletonLanes lanes = GatherPositions(this->Points, members, count);
     this->Elements.template AddAll<Kernel>(FindBox(lanes), lanes);
     for (int i = 0; i < count; ++i)
     {

@@ -13,7 +13,7 @@ namespace activesurface
 // A group and its neighbours; one per thread, reused.
 struct NodeFits::Search
 {
-  NodeIndex Home{}; // block whose origin is that of the positions
+  NodeIndex Base{}; // block whose origin is that of the positions
   FitGroup Group;
   ParticleRuns Runs;
   FitNeighbours Neighbours;
@@ -69,7 +69,7 @@ bool NodeFits::HasTooManyNeighbours() const
   for (std::size_t n = 0; n < ParticlesOfSample; ++n)
   {
     const auto k = static_cast<std::uint32_t>(n * count / ParticlesOfSample);
-    search.Home = (*this->Blocks)[this->Blocks->GetBlockOf()[k]].At;
+    search.Base = (*this->Blocks)[this->Blocks->GetBlockOf()[k]].At;
     search.Group.Count = 1;
     search.Group.Members[0] = k;
     this->FillGroup(search);
@@ -89,7 +89,7 @@ void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
     {
       thread_local Search search;
       const ParticleBlocks::Block& block = (*this->Blocks)[task / side];
-      search.Home = block.At;
+      search.Base = block.At;
       const int x = static_cast<int>(task % side);
       for (int y = 0; y < side; ++y)
       {
@@ -144,12 +144,12 @@ void NodeFits::Gather(
 {
   FitGroup& group = search.Group;
   group.FindBox();
-  const NodeIndex& home = search.Home;
+  const NodeIndex& base = search.Base;
   const double size = this->Blocks->GetBlockSize();
   double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double middle = size * home[axis] + group.Middle[axis];
+    const double middle = size * base[axis] + group.Middle[axis];
     low[axis] = middle - group.Half[axis] - reach;
     high[axis] = middle + group.Half[axis] + reach;
   }
@@ -160,7 +160,7 @@ void NodeFits::Gather(
       ParticleRun run{ rowOf(first), rowOf(end), {} };
       for (int axis = 0; axis < 3; ++axis)
       {
-        run.Shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
+        run.Shift[axis] = static_cast<float>(size * (at[axis] - base[axis]));
       }
       search.Runs.push_back(run);
     });
@@ -295,10 +295,10 @@ void NodeFits::GatherEllipsoids(Search& search) const
     [this](std::uint32_t k) { return this->Row[k]; });
 }
 
-void NodeFits::SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const
+void NodeFits::SumAt(const NodeIndex& base, const FitGroup& group, PointSums& sums) const
 {
   thread_local Search search;
-  search.Home = home;
+  search.Base = base;
   search.Group = group;
   this->GatherEllipsoids(search);
   SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), sums);

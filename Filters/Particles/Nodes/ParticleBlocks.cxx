@@ -113,7 +113,7 @@ std::size_t ParticleBlocks::AddBlock(const NodeIndex& at)
   return i;
 }
 
-void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
+void ParticleBlocks::AddAround(const CubePlace& place, std::size_t own)
 {
   NodeIndex other;
   for (other[0] = place.Low[0]; other[0] <= place.High[0]; ++other[0])
@@ -127,10 +127,10 @@ void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
         const bool isNear =
           std::all_of(offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
         const std::uint32_t bit = isNear ? 1u << NumberOf(offset) : 0u;
-        if (!bit || !(this->Around[home] & bit))
+        if (!bit || !(this->Around[own] & bit))
         {
           this->AddBlock(other);
-          this->Around[home] |= bit;
+          this->Around[own] |= bit;
         }
       }
     }
@@ -142,13 +142,13 @@ void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
 {
   constexpr std::size_t most = std::size_t(1) << 15;
   const std::size_t count = cubes.Size();
-  this->Homes.resize(count);
+  this->OwnBlocks.resize(count);
   this->PartOf.resize(count);
   this->Numbers.Clear(count / 64);
   this->Blocks.clear();
   this->Around.clear();
   this->Places.resize(std::min(count, most));
-  std::size_t home = 0;
+  std::size_t own = 0;
   for (std::size_t first = 0; first < count; first += most)
   {
     const std::size_t some = std::min(most, count - first);
@@ -156,25 +156,25 @@ void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
     for (std::size_t i = 0; i < some; ++i)
     {
       const CubePlace& place = this->Places[i];
-      const bool isHome = !this->Blocks.empty() && AreSame(this->Blocks[home].At, place.At);
-      home = isHome ? home : this->AddBlock(place.At);
-      this->Homes[first + i] = static_cast<std::uint32_t>(home);
+      const bool isSame = !this->Blocks.empty() && AreSame(this->Blocks[own].At, place.At);
+      own = isSame ? own : this->AddBlock(place.At);
+      this->OwnBlocks[first + i] = static_cast<std::uint32_t>(own);
       this->PartOf[first + i] = place.Part;
-      this->AddAround(place, home);
+      this->AddAround(place, own);
     }
   }
 }
 
 void ParticleBlocks::Sort()
 {
-  const std::size_t count = this->Homes.size();
+  const std::size_t count = this->OwnBlocks.size();
   for (Block& block : this->Blocks)
   {
     std::fill_n(block.Starts, Parts + 1, 0u);
   }
   for (std::size_t n = 0; n < count; ++n)
   {
-    ++this->Blocks[this->Homes[n]].Starts[this->PartOf[n] + 1];
+    ++this->Blocks[this->OwnBlocks[n]].Starts[this->PartOf[n] + 1];
   }
   std::uint32_t first = 0;
   for (Block& block : this->Blocks)
@@ -187,10 +187,10 @@ void ParticleBlocks::Sort()
   this->BlockOf.resize(count);
   for (std::size_t n = 0; n < count; ++n)
   {
-    const std::uint32_t home = this->Homes[n];
-    const std::uint32_t place = this->Blocks[home].Starts[this->PartOf[n]]++;
+    const std::uint32_t own = this->OwnBlocks[n];
+    const std::uint32_t place = this->Blocks[own].Starts[this->PartOf[n]]++;
     this->Order[place] = static_cast<std::uint32_t>(n);
-    this->BlockOf[place] = home;
+    this->BlockOf[place] = own;
   }
   for (Block& block : this->Blocks) // each start now is that of the next part
   {

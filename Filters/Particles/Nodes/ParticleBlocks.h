@@ -237,25 +237,25 @@ private:
   };
   CubePlace FindPlace(const ParticleCube& cube) const;
   std::size_t AddBlock(const NodeIndex& at);
-  void AddAround(const CubePlace& place, std::size_t home);
+  void AddAround(const CubePlace& place, std::size_t own);
   void AddBlocks(const ParticleCubes& cubes);
   void Sort();
   void FillCells(const ParticleCubes& cubes);
-  void FillCube(const ParticleCube& cube, std::size_t home);
+  void FillCube(const ParticleCube& cube, std::size_t own);
   void OccupyCells(const ParticleCubes& cubes);
-  void Occupy(const ParticleCube& cube, std::size_t home);
+  void Occupy(const ParticleCube& cube, std::size_t own);
   struct ShellBall
   {
     double Place[3], Reach; // [voxels]
     int First[3], Last[3];  // range of the cells of its box
   };
   void OccupyIn(Block& block, const ShellBall& ball) const;
-  // Returns the block of a cell, often the particle's own block (home).
-  std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
+  // Returns the block of a cell, often the particle's own block.
+  std::size_t FindBlock(const NodeIndex& cell, std::size_t own) const
   {
     const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
-    return AreSame(this->Blocks[home].At, at) ? home
-                                              : static_cast<std::size_t>(this->Numbers.Find(at));
+    return AreSame(this->Blocks[own].At, at) ? own
+                                             : static_cast<std::size_t>(this->Numbers.Find(at));
   }
   void FindOpen();
   void FindOpenOf(Block& block) const;
@@ -269,7 +269,7 @@ private:
   std::vector<Block> Blocks;
   std::vector<std::uint32_t> Around; // per block, one bit for each existing block of the 27 around
   UnsetVector<CubePlace> Places;     // of one batch of particles
-  UnsetVector<std::uint32_t> Homes;
+  UnsetVector<std::uint32_t> OwnBlocks;
   UnsetVector<std::uint8_t> PartOf;
   UnsetVector<std::uint32_t> Order, BlockOf;
   std::vector<std::uint32_t> Filling; // 512 per block

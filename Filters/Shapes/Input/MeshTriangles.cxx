@@ -71,7 +71,7 @@ public:
   MeshTriangles Result;
 
 private:
-  bool Take(vtkIdList* ids);
+  bool Accept(vtkIdList* ids);
   vtkIdType Merge(vtkIdType id);
   void Cut();
   void AddTriangle(std::size_t a, std::size_t b, std::size_t c);
@@ -114,7 +114,7 @@ vtkIdType Reader::Merge(vtkIdType id)
 }
 
 // Reads a polygon's corners without repetitions. Returns false if the polygon is omitted.
-bool Reader::Take(vtkIdList* ids)
+bool Reader::Accept(vtkIdList* ids)
 {
   this->Corners.clear();
   this->Origins.clear();
@@ -143,7 +143,7 @@ bool Reader::Take(vtkIdList* ids)
 void Reader::AddPolygon(vtkIdList* ids)
 {
   const std::size_t broken = this->Result.Defects.BrokenPolygons;
-  if (this->Take(ids))
+  if (this->Accept(ids))
   {
     this->AddEdges();
     this->Cut();
@@ -165,7 +165,7 @@ void Reader::AddStrip(vtkIdList* ids)
     {
       triangle->SetId(corner, ids->GetId(i - 2 + corner));
     }
-    if (this->Take(triangle))
+    if (this->Accept(triangle))
     {
       this->AddEdges();
       this->Cut();
@@ -252,7 +252,7 @@ void Extend(std::array<double, 6>& bounds, const std::vector<Point>& points)
   }
 }
 
-void Tell(std::ostringstream& text, std::size_t count, const char* one, const char* many)
+void Append(std::ostringstream& text, std::size_t count, const char* one, const char* many)
 {
   if (count > 0)
   {
@@ -265,13 +265,13 @@ void Tell(std::ostringstream& text, std::size_t count, const char* one, const ch
 std::string MeshDefects::Describe() const
 {
   std::ostringstream text;
-  Tell(
+  Append(
     text, this->OpenEdges, "open edge (of one polygon only)", "open edges (of one polygon only)");
-  Tell(
+  Append(
     text, this->CrowdedEdges, "edge of more than two polygons", "edges of more than two polygons");
-  Tell(text, this->BrokenPolygons, "polygon with a point that is not finite or does not exist",
+  Append(text, this->BrokenPolygons, "polygon with a point that is not finite or does not exist",
     "polygons with a point that is not finite or does not exist");
-  Tell(text, this->FlatPolygons, "polygon of fewer than three different points",
+  Append(text, this->FlatPolygons, "polygon of fewer than three different points",
     "polygons of fewer than three different points");
   return text.str().empty() ? std::string() : "The mesh has defects: " + text.str() + ".";
 }

@@ -30,7 +30,7 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
     throw std::invalid_argument("There is no frame to advance to; where a simulation has no "
                                 "particles, push a vtkPolyData without points.");
   }
-  if (!SurfaceInput::Takes(SurfaceInput::Target, data))
+  if (!SurfaceInput::Accepts(SurfaceInput::Target, data))
   {
     throw std::invalid_argument(std::string("A ") + data->GetClassName() +
       " cannot be a frame; push particles, a skeleton of lines, a closed mesh or an image.");

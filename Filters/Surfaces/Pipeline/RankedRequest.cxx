@@ -13,12 +13,12 @@ namespace
 {
 
 template <class Value>
-void Tell(std::ostream& text, const Property& property, const Value& value)
+void Write(std::ostream& text, const Property& property, const Value& value)
 {
   text << property.Name << ": " << static_cast<double>(value) << "\n";
 }
 
-void Tell(std::ostream& text, const Property& property, const std::array<double, 6>& values)
+void Write(std::ostream& text, const Property& property, const std::array<double, 6>& values)
 {
   text << property.Name << ":";
   std::for_each(values.begin(), values.end(), [&text](double value) { text << " " << value; });
@@ -32,7 +32,7 @@ std::string DescribeRequest(
   std::ostringstream text;
   text << std::hexfloat << "the time: " << time.Value << "\nthe output port: " << port << "\n";
   const auto tell = [&text](const Property& property, const auto& value, auto&&)
-  { Tell(text, property, value); };
+  { Write(text, property, value); };
   ForEachProperty(settings, tell);
   ForEachOutputProperty(properties.Outputs, tell);
   ForEachLimit(properties.Limits, tell);

@@ -4,8 +4,8 @@
 #include "Input/AttachedData.h"
 #include "Input/WholeInput.h"
 #include "Targets/ContentSum.h"
-#include "Targets/HomeParticles.h"
 #include "Targets/InputKinds.h"
+#include "Targets/OwnedParticles.h"
 #include "Targets/ParticleShape.h"
 
 #include "vtkAbstractArray.h"
@@ -114,7 +114,7 @@ void SurfaceInput::DescribePort(int port, vtkInformation* information)
   information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
 }
 
-bool SurfaceInput::Takes(int port, vtkDataObject* data)
+bool SurfaceInput::Accepts(int port, vtkDataObject* data)
 {
   const std::vector<const char*> types = ListTypes(port);
   return !HasLevels(data) &&
@@ -172,7 +172,7 @@ ParticleArrays SurfaceInput::DescribeParticleArrays(bool all, bool velocities) c
 bool SurfaceInput::IsSplit(vtkInformation* information) const
 {
   vtkDataObject* data = vtkDataObject::GetData(information);
-  return vtkCompositeDataSet::SafeDownCast(data) && !Takes(this->Port, data);
+  return vtkCompositeDataSet::SafeDownCast(data) && !Accepts(this->Port, data);
 }
 
 std::shared_ptr<InputShape> SurfaceInput::Read(
@@ -197,10 +197,10 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
   }
   if (areShared && all.Kind == PieceKind::Particles)
   {
-    return this->ReadHome(own, all, kept, name);
+    return this->ReadOwned(own, all, kept, name);
   }
   std::shared_ptr<InputShape> whole = this->ReadWhole(own.Piece, kept, name);
-  if (all.Kind == PieceKind::Particles) // ReadHome sets the other checksum
+  if (all.Kind == PieceKind::Particles) // ReadOwned sets the other checksum
   {
     whole->Content = all.Content;
   }
@@ -208,17 +208,18 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
 }
 
 // Returns the particles that this rank owns.
-std::shared_ptr<InputShape> SurfaceInput::ReadHome(const OwnPiece& own, const AllPieces& all,
+std::shared_ptr<InputShape> SurfaceInput::ReadOwned(const OwnPiece& own, const AllPieces& all,
   const ParticleArrays& kept, const std::string& name) const
 {
   ParticleFrame particles =
-    own.Shape ? dynamic_cast<ParticleShape&>(*own.Shape).TakeParticles() : ParticleFrame();
+    own.Shape ? dynamic_cast<ParticleShape&>(*own.Shape).ReleaseParticles() : ParticleFrame();
   particles.HasIds = this->IsArrayChosen(IdArray);
   const auto shape = std::make_shared<ParticleShape>(
-    SendHome(this->Ranks, std::move(particles), all.PointsBefore, all.Points), kept, all.HaveCells);
+    SendToOwners(this->Ranks, std::move(particles), all.PointsBefore, all.Points), kept,
+    all.HaveCells);
   shape->Content = all.Content;
-  auto home = std::make_shared<HomePart>();
-  home->Ranks = this->Ranks;
+  auto owned = std::make_shared<OwnedPart>();
+  owned->Ranks = this->Ranks;
   if (kept.All)
   {
     InputPiece copy = own.Piece; // the next step may overwrite the input's arrays
@@ -227,9 +228,9 @@ std::shared_ptr<InputShape> SurfaceInput::ReadHome(const OwnPiece& own, const Al
       copy.Data.TakeReference(own.Piece.Data->NewInstance());
       copy.Data->DeepCopy(own.Piece.Data);
     }
-    home->ReadWhole = [this, copy, kept, name] { return this->ReadWhole(copy, kept, name); };
+    owned->ReadWhole = [this, copy, kept, name] { return this->ReadWhole(copy, kept, name); };
   }
-  shape->Home = home;
+  shape->Owned = owned;
   return shape;
 }
 
@@ -242,7 +243,7 @@ std::unique_ptr<InputShape> SurfaceInput::ReadWhole(
 
 void SurfaceInput::Check(vtkDataObject* data) const
 {
-  if (Takes(this->Port, data))
+  if (Accepts(this->Port, data))
   {
     const vtkSmartPointer<vtkDataSet> readable = AsDataSet(data);
     MakeInputShape({ readable, ArraysOf(*this, readable), {} });

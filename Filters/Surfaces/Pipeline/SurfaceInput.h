@@ -37,7 +37,7 @@ public:
 
   // Accepted data types of a port. Each port is optional.
   static void DescribePort(int port, vtkInformation* information);
-  static bool Takes(int port, vtkDataObject* data);
+  static bool Accepts(int port, vtkDataObject* data);
 
   bool IsConnected() const;
 
@@ -99,7 +99,7 @@ private:
   };
   OwnPiece MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const;
   InputPiece MakePiece(vtkDataSet* data, const ParticleArrays& kept) const;
-  std::shared_ptr<InputShape> ReadHome(const OwnPiece& own, const AllPieces& all,
+  std::shared_ptr<InputShape> ReadOwned(const OwnPiece& own, const AllPieces& all,
     const ParticleArrays& kept, const std::string& name) const;
   std::unique_ptr<InputShape> ReadWhole(
     const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const;

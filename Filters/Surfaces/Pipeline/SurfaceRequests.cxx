@@ -112,7 +112,7 @@ bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformat
 void SurfaceRequests::PublishInformation(
   const SurfaceProperties& properties, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const UpdateUnderWay::Scope scope(this->Update);
+  const UpdateInProgress::Scope scope(this->Update);
   const bool hasTimes = this->ReadClock(properties, Get(input, SurfaceInput::Target));
   for (int port = 0; port < OutputPorts::NumberOfPorts; ++port)
   {
@@ -155,7 +155,7 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
     this->Target.Update(target, this->Simulation.GetSettings().GetStep(0).Value))
   {
     this->SettleSpacing(target);
-    this->Steps.TakeFirst(target);
+    this->Steps.AddFirst(target);
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
@@ -180,7 +180,7 @@ PipelineTime SurfaceRequests::FindRequestedTime(vtkInformation* output) const
 void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
-  const UpdateUnderWay::Scope scope(this->Update);
+  const UpdateInProgress::Scope scope(this->Update);
   if (OutputPorts::IsForNothing(this->GetShare(), request, output))
   {
     return;
@@ -269,7 +269,7 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
   this->SettleSpacing(target);
-  this->Steps.TakeRequested(target);
+  this->Steps.AddRequested(target);
   const bool mayGoBack =
     !this->Simulation.GetSettings().Inputs.OnlyForward || this->Clock.ArePushed();
   return this->Simulation.Advance([this, target, mayGoBack](int step)
@@ -325,7 +325,7 @@ void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
 void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
-  const UpdateUnderWay::Scope scope(this->Update);
+  const UpdateInProgress::Scope scope(this->Update);
   const auto fill = [&] { this->FillOutputs(properties, request, input, output); };
   const auto startAnew = [this] { this->Simulation.Reset(); };
   RunTogether(this->Ranks, [&] { RunWithinMemory(fill, startAnew, NoMemoryForOutputs); });

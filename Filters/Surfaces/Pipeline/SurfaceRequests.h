@@ -31,13 +31,13 @@ namespace activesurface
 
 // Records that an update is running. An update calls observers of its progress and messages; their
 // calls must not remove the data in use.
-class UpdateUnderWay
+class UpdateInProgress
 {
 public:
   class Scope
   {
   public:
-    explicit Scope(UpdateUnderWay& update)
+    explicit Scope(UpdateInProgress& update)
       : Update(update)
       , Before(update.Is) // an observer may request information
     {
@@ -48,7 +48,7 @@ public:
     ~Scope() { this->Update.Is = this->Before; }
 
   private:
-    UpdateUnderWay& Update;
+    UpdateInProgress& Update;
     const bool Before;
   };
 
@@ -145,7 +145,7 @@ private:
   TargetSteps Steps;
   OutputPorts Outputs;
 
-  UpdateUnderWay Update;
+  UpdateInProgress Update;
 
   // MTimes of the last composite inputs.
   std::uint64_t CompositeTarget = 0;

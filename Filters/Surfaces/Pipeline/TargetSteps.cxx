@@ -85,7 +85,7 @@ void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
   this->Simulation.AddFrame(0, isReadAgain ? this->Make(target, 0, true) : std::move(first));
 }
 
-void TargetSteps::TakeFirst(vtkInformation* target)
+void TargetSteps::AddFirst(vtkInformation* target)
 {
   if (this->Simulation.FindMissingStep() == 0)
   {
@@ -93,7 +93,7 @@ void TargetSteps::TakeFirst(vtkInformation* target)
   }
 }
 
-void TargetSteps::TakeRequested(vtkInformation* target)
+void TargetSteps::AddRequested(vtkInformation* target)
 {
   this->LastUpdateFailed = false;
   if (target && this->Requested != NoStep && this->Simulation.FindMissingStep() == this->Requested)

@@ -29,13 +29,13 @@ public:
 
   // Adds the requested step to the simulation if that step is still missing. Null: there is no
   // input.
-  void TakeRequested(vtkInformation* target);
+  void AddRequested(vtkInformation* target);
 
   // Reads the first step, and more steps to estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
   // Adds the first step, the input's current data, if it is still missing.
-  void TakeFirst(vtkInformation* target);
+  void AddFirst(vtkInformation* target);
 
   // Returns a step, by an update within RequestData. mayGoBack: earlier steps are available again.
   // Throws std::runtime_error if the step is unavailable.

@@ -25,14 +25,14 @@ bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arr
   return shape && (!arrays.NeedParticles() || shape->HasArrays(arrays.Kept));
 }
 
-bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target)
+bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target)
 {
   return arrays.TangentialVelocity || (arrays.FastestParticle && target.MayHaveParticles()) ||
     (arrays.Speeds && target.MayCarry());
 }
 
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
-  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay)
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval)
 {
   ArrayFrames found;
   if (!settings.Inputs.TargetMoves)
@@ -40,8 +40,8 @@ ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime
     return found;
   }
   const int last = settings.GetNumberOfSteps() - 1;
-  const bool looksBack = wantsWay && LooksBack(settings, time, arrays, target);
-  const bool looksAhead = time.Between || (wantsWay && time.Step == 0);
+  const bool looksBack = wantsInterval && LooksBack(settings, time, arrays, target);
+  const bool looksAhead = time.Between || (wantsInterval && time.Step == 0);
   found.First = time.Step - (looksBack ? 1 : 0);
   found.Last = std::min(time.Step + (looksAhead ? 1 : 0), last);
   const double begin = settings.GetMotionTimeOf(found.First).Value;

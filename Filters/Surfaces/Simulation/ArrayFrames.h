@@ -36,12 +36,12 @@ struct ArrayFrames
 };
 
 // Returns the interval up to the requested time (at the first step, the interval after it) if
-// wantsWay, for particle velocities. Otherwise returns the frames at the requested time only.
+// wantsInterval, for particle velocities. Otherwise returns the frames at the requested time only.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
-  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay);
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 
 // Returns true if the arrays depend on the displacement of particles between two steps.
-bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target);
+bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target);
 
 // Returns true if the frame of a step is stored and was read with the needed particle arrays.
 bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays);

@@ -124,11 +124,11 @@ void RestartWarning::Note(
   this->LastTime = hasBegun && AreDataReplaced(old, next) ? requested.Value : Never;
 }
 
-void RestartWarning::Tell(PipelineTime requested, const Warnings& messages)
+void RestartWarning::Report(PipelineTime requested, const Warnings& messages)
 {
-  if (requested.Value > this->LastTime && !this->IsTold)
+  if (requested.Value > this->LastTime && !this->IsReported)
   {
-    this->IsTold = true;
+    this->IsReported = true;
     std::ostringstream text;
     text << "The input was replaced after the time " << this->LastTime
          << ", so the surface was restarted. Replacing the input does not advance time: call "

@@ -23,13 +23,13 @@ public:
     const SurfaceSettings& old, const SurfaceSettings& next, bool hasBegun, PipelineTime requested);
 
   // Has to be called with each requested time. Warns once at most.
-  void Tell(PipelineTime requested, const Warnings& messages);
+  void Report(PipelineTime requested, const Warnings& messages);
 
 private:
   static constexpr double Never = std::numeric_limits<double>::infinity();
 
   double LastTime = Never; // last time requested before the data were replaced
-  bool IsTold = false;
+  bool IsReported = false;
 };
 
 struct MotionEnd

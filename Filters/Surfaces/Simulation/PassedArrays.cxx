@@ -74,13 +74,13 @@ bool Has(const ParticleFrame* frame)
 }
 
 // Returns an empty pair for an array that cannot be passed.
-Pair FindPair(const ParticleMoment& moment, const char* name)
+Pair FindPair(const ParticlesAtTime& particles, const char* name)
 {
-  const bool wantsEarlier = moment.Fraction < 1.0 && Has(moment.Earlier);
-  const bool wantsLater = moment.Fraction > 0.0 && Has(moment.Later);
+  const bool wantsEarlier = particles.Fraction < 1.0 && Has(particles.Earlier);
+  const bool wantsLater = particles.Fraction > 0.0 && Has(particles.Later);
   Pair pair;
-  pair.Earlier = wantsEarlier ? FindArrays(moment.Earlier)->GetAbstractArray(name) : nullptr;
-  pair.Later = wantsLater ? FindArrays(moment.Later)->GetAbstractArray(name) : nullptr;
+  pair.Earlier = wantsEarlier ? FindArrays(particles.Earlier)->GetAbstractArray(name) : nullptr;
+  pair.Later = wantsLater ? FindArrays(particles.Later)->GetAbstractArray(name) : nullptr;
   const bool isMissing = (wantsEarlier && !pair.Earlier) || (wantsLater && !pair.Later);
   return isMissing || !pair.IsAlike() ? Pair() : pair;
 }
@@ -92,16 +92,16 @@ struct Place
   vtkIdType Tuple;
 };
 
-Place FindPlace(const ParticleMoment& moment, const Pair& pair, std::size_t particle)
+Place FindPlace(const ParticlesAtTime& particles, const Pair& pair, std::size_t particle)
 {
-  const ParticleOrigin& origin = moment.Origins[particle];
+  const ParticleOrigin& origin = particles.Origins[particle];
   const bool isLater = pair.Later && origin.Later != NoPartner &&
-    (!pair.Earlier || origin.Earlier == NoPartner || moment.Fraction >= 0.5);
-  return isLater ? Place{ pair.Later, moment.Later->GetPoint(origin.Later) }
-                 : Place{ pair.Earlier, moment.Earlier->GetPoint(origin.Earlier) };
+    (!pair.Earlier || origin.Earlier == NoPartner || particles.Fraction >= 0.5);
+  return isLater ? Place{ pair.Later, particles.Later->GetPoint(origin.Later) }
+                 : Place{ pair.Earlier, particles.Earlier->GetPoint(origin.Earlier) };
 }
 
-Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
+Column MakeColumn(const ParticlesAtTime& particles, const Pair& pair)
 {
   auto earlier = vtkDataArray::SafeDownCast(pair.Earlier);
   auto later = vtkDataArray::SafeDownCast(pair.Later);
@@ -109,17 +109,17 @@ Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
   column.Components = static_cast<std::size_t>(pair.Get()->GetNumberOfComponents());
   column.Name.TakeReference(vtkDataArray::CreateDataArray(pair.Get()->GetDataType()));
   column.Name->SetName(pair.Get()->GetName());
-  for (std::size_t i = 0; i < moment.Particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.Particles.size(); ++i)
   {
-    const ParticleOrigin& origin = moment.Origins[i];
+    const ParticleOrigin& origin = particles.Origins[i];
     for (int c = 0; c < static_cast<int>(column.Components); ++c)
     {
       const bool isEarlier = earlier && origin.Earlier != NoPartner;
       const bool isLater = later && origin.Later != NoPartner;
       column.Values.push_back(
-        Mix(isEarlier ? earlier->GetComponent(moment.Earlier->GetPoint(origin.Earlier), c) : 0.0,
-          isLater ? later->GetComponent(moment.Later->GetPoint(origin.Later), c) : 0.0, origin,
-          moment.Fraction));
+        Mix(isEarlier ? earlier->GetComponent(particles.Earlier->GetPoint(origin.Earlier), c) : 0.0,
+          isLater ? later->GetComponent(particles.Later->GetPoint(origin.Later), c) : 0.0, origin,
+          particles.Fraction));
     }
   }
   return column;
@@ -200,7 +200,7 @@ private:
 // Computes the averages. Returns the particle of the largest weight for each point of the skin.
 std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)
 {
-  const ParticleWeights particles(passed.Moment.Particles, passed.Kernel);
+  const ParticleWeights particles(passed.Particles.Particles, passed.Kernel);
   const std::size_t count = static_cast<std::size_t>(skin->GetNumberOfPoints());
   std::vector<vtkIdType> nearest(count);
   for (Column& column : columns)
@@ -263,7 +263,7 @@ void AddAverages(Column& column, vtkPolyData* skin)
   skin->GetPointData()->AddArray(array);
 }
 
-void AddNearest(const ParticleMoment& moment, const Pair& pair,
+void AddNearest(const ParticlesAtTime& particles, const Pair& pair,
   const std::vector<vtkIdType>& nearest, vtkPolyData* skin)
 {
   vtkSmartPointer<vtkAbstractArray> array;
@@ -273,7 +273,7 @@ void AddNearest(const ParticleMoment& moment, const Pair& pair,
   array->SetNumberOfTuples(skin->GetNumberOfPoints());
   for (std::size_t v = 0; v < nearest.size(); ++v)
   {
-    const Place place = FindPlace(moment, pair, static_cast<std::size_t>(nearest[v]));
+    const Place place = FindPlace(particles, pair, static_cast<std::size_t>(nearest[v]));
     array->SetTuple(static_cast<vtkIdType>(v), place.Tuple, place.Array);
   }
   skin->GetPointData()->AddArray(array);
@@ -299,15 +299,15 @@ void AddDrift(const Column& column, const vtkFloatArray* directions, vtkPolyData
   }
 }
 
-vtkPointData* GetReference(const ParticleMoment& moment)
+vtkPointData* GetReference(const ParticlesAtTime& particles)
 {
-  const bool fromEarlier = Has(moment.Earlier) && moment.Fraction < 1.0;
-  return FindArrays(fromEarlier ? moment.Earlier : moment.Later);
+  const bool fromEarlier = Has(particles.Earlier) && particles.Fraction < 1.0;
+  return FindArrays(fromEarlier ? particles.Earlier : particles.Later);
 }
 
 void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
 {
-  vtkDataArray* scalars = passed.Arrays ? GetReference(passed.Moment)->GetScalars() : nullptr;
+  vtkDataArray* scalars = passed.Arrays ? GetReference(passed.Particles)->GetScalars() : nullptr;
   if (scalars && scalars->GetName() && skin->GetPointData()->HasArray(scalars->GetName()))
   {
     skin->GetPointData()->SetActiveScalars(scalars->GetName());
@@ -317,9 +317,9 @@ void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
 // Returns the arrays that are passed to the skin, in the order of the particles' arrays.
 std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
 {
-  const ParticleMoment& moment = passed.Moment;
+  const ParticlesAtTime& particles = passed.Particles;
   vtkPointData* own = skin->GetPointData();
-  vtkPointData* arrays = passed.Arrays ? GetReference(moment) : nullptr;
+  vtkPointData* arrays = passed.Arrays ? GetReference(particles) : nullptr;
   std::vector<Pair> pairs;
   for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -329,7 +329,7 @@ std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
     {
       continue;
     }
-    const Pair pair = FindPair(moment, name);
+    const Pair pair = FindPair(particles, name);
     if (pair.Get())
     {
       pairs.push_back(pair);
@@ -342,7 +342,7 @@ std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
 
 void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin)
 {
-  if (passed.Moment.Particles.empty() || skin->GetNumberOfPoints() == 0)
+  if (passed.Particles.Particles.empty() || skin->GetNumberOfPoints() == 0)
   {
     return;
   }
@@ -352,7 +352,7 @@ void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtk
   {
     if (IsAveraged(pair.Get()))
     {
-      columns.push_back(MakeColumn(passed.Moment, pair));
+      columns.push_back(MakeColumn(passed.Particles, pair));
     }
   }
   if (!passed.Velocities.empty())
@@ -364,7 +364,7 @@ void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtk
   for (const Pair& pair : pairs)
   {
     IsAveraged(pair.Get()) ? AddAverages(*column++, skin)
-                           : AddNearest(passed.Moment, pair, nearest, skin);
+                           : AddNearest(passed.Particles, pair, nearest, skin);
   }
   if (!passed.Velocities.empty())
   {

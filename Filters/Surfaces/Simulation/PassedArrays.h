@@ -4,7 +4,7 @@
 #define PassedArrays_h
 
 #include "Index/SkeletonKernel.h"
-#include "Simulation/ParticleMoment.h"
+#include "Simulation/ParticlesAtTime.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace activesurface
 
 struct PassedArrays
 {
-  ParticleMoment Moment; // without particles nothing is passed
+  ParticlesAtTime Particles; // without particles nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
   std::vector<double> Velocities; // x y z of each particle, NaN: unknown; or empty

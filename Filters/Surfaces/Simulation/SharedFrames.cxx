@@ -7,8 +7,8 @@
 #include "ParticleNodes.h"
 #include "Ranks/Domain.h"
 #include "Simulation/TargetBuilder.h"
-#include "Targets/HomeParticles.h"
 #include "Targets/NoShape.h"
+#include "Targets/OwnedParticles.h"
 #include "Targets/ParticleShape.h"
 
 #include <algorithm>
@@ -24,10 +24,10 @@ namespace
 {
 
 // Indices of the particles of one step that each rank receives.
-class Parcels
+class ParticleMessages
 {
 public:
-  explicit Parcels(int ranks)
+  explicit ParticleMessages(int ranks)
     : Chosen(static_cast<std::size_t>(ranks))
   {
   }
@@ -41,20 +41,21 @@ public:
   }
 
   // Returns this rank's particles of the step. Collective.
-  std::shared_ptr<ParticleShape> Send(const InputShape& home) const
+  std::shared_ptr<ParticleShape> Send(const InputShape& owned) const
   {
-    const ParticleFrame& particles = *home.GetParticles();
+    const ParticleFrame& particles = *owned.GetParticles();
     std::vector<Bytes> toEach;
     toEach.reserve(this->Chosen.size());
     for (const ParticleChoice& ofRank : this->Chosen)
     {
       toEach.push_back(PackParticles(particles, ofRank));
     }
-    ParticleFrame part = MergeParticles(home.Home->Ranks.Distribute(std::move(toEach)), particles);
+    ParticleFrame part =
+      MergeParticles(owned.Owned->Ranks.Distribute(std::move(toEach)), particles);
     part.Whole = particles.Whole;
     std::shared_ptr<ParticleShape> shape =
-      dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(part));
-    shape->Home = home.Home;
+      dynamic_cast<const ParticleShape&>(owned).MakeOther(std::move(part));
+    shape->Owned = owned.Owned;
     return shape;
   }
 
@@ -66,15 +67,15 @@ private:
 
 void SharedFrames::Add(int step, const std::shared_ptr<InputShape>& shape)
 {
-  this->Homes.Add(step, shape->Home ? shape : std::make_shared<NoShape>());
+  this->OwnedFrames.Add(step, shape->Owned ? shape : std::make_shared<NoShape>());
 }
 
 bool SharedFrames::ArePlaceable(int first, int last) const
 {
   for (int step = first; step <= last; ++step)
   {
-    const InputShape* shape = this->Homes.Find(step);
-    if (!shape || !shape->Home)
+    const InputShape* shape = this->OwnedFrames.Find(step);
+    if (!shape || !shape->Owned)
     {
       return false;
     }
@@ -91,7 +92,7 @@ void SharedFrames::Place(NarrowBand& band, int first, int last)
     return;
   }
   const std::shared_ptr<const Domain> space = this->ShareSpace(band, last);
-  this->Send(first, last, last > first ? this->MatchHomes(first) : ParticleMatches(), *space);
+  this->Send(first, last, last > first ? this->MatchOwned(first) : ParticleMatches(), *space);
   band.SetDomain(space);
 }
 
@@ -100,9 +101,9 @@ void SharedFrames::MakeWhole(int first, int last)
   for (int step = first; step <= last; ++step)
   {
     const InputShape* part = this->Shapes.GetFrames().Find(step);
-    if (part && part->Home)
+    if (part && part->Owned)
     {
-      this->Shapes.Add(step, GatherShape(*this->Homes.Find(step)));
+      this->Shapes.Add(step, GatherShape(*this->OwnedFrames.Find(step)));
     }
   }
 }
@@ -111,7 +112,7 @@ void SharedFrames::MakeWhole(int first, int last)
 // have their own costs.
 std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
 {
-  const InputShape& shape = *this->Homes.Find(last);
+  const InputShape& shape = *this->OwnedFrames.Find(last);
   const double voxelSize = band.GetVoxelSize();
   IndexMap leaves;
   std::vector<LeafCost> costs;
@@ -130,33 +131,34 @@ std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, i
     costs[i].Cost += 1.0;
   }
   band.ListCosts(costs);
-  return Domain::Share(shape.Home->Ranks, std::move(costs));
+  return Domain::Share(shape.Owned->Ranks, std::move(costs));
 }
 
 // Matches the particles that this rank owns. All ranks share the decision if particles are
 // shuffled. Collective.
-ParticleMatches SharedFrames::MatchHomes(int first) const
+ParticleMatches SharedFrames::MatchOwned(int first) const
 {
-  const ParticleFrame& earlier = *this->Homes.Find(first)->GetParticles();
-  const ParticleFrame& later = *this->Homes.Find(first + 1)->GetParticles();
+  const ParticleFrame& earlier = *this->OwnedFrames.Find(first)->GetParticles();
+  const ParticleFrame& later = *this->OwnedFrames.Find(first + 1)->GetParticles();
   const PeriodicBox noBox;
   ParticleMatches matches = PairParticles(earlier, later, false);
-  std::vector<NumberedWay> ways = this->Homes.Find(first)->Home->Ranks.ExchangeValues(
-    PickWays(earlier, later, matches.Partners, noBox));
-  return AreShuffled(std::move(ways), earlier, noBox) ? PairParticles(earlier, later, true)
-                                                      : matches;
+  std::vector<NumberedDisplacement> displacements =
+    this->OwnedFrames.Find(first)->Owned->Ranks.ExchangeValues(
+      SampleDisplacements(earlier, later, matches.Partners, noBox));
+  return AreShuffled(std::move(displacements), earlier, noBox) ? PairParticles(earlier, later, true)
+                                                               : matches;
 }
 
 // Sends each particle, at both steps, to all ranks that may need the particle between the steps:
 // ranks whose partition meets the box around its two positions, enlarged by the margin.
 void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
 {
-  const InputShape& earlier = *this->Homes.Find(first);
-  const InputShape* later = last > first ? this->Homes.Find(last) : nullptr;
+  const InputShape& earlier = *this->OwnedFrames.Find(first);
+  const InputShape* later = last > first ? this->OwnedFrames.Find(last) : nullptr;
   const ParticleFrame& from = *earlier.GetParticles();
   const double voxelSize = this->Shapes.FindDomain()->VoxelSize;
   const int margin = this->Shapes.FindMarginOfRanks(), size = space.GetRanks().GetSize();
-  Parcels parcels[2] = { Parcels(size), Parcels(size) };
+  ParticleMessages messages[2] = { ParticleMessages(size), ParticleMessages(size) };
   std::vector<int> ranks;
   const auto list = [&](const NodeIndex& a, const NodeIndex& b)
   {
@@ -176,10 +178,10 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
       partner == NoPartner
         ? node
         : NodeBelow(later->GetParticles()->Particles[partner].Position, voxelSize));
-    parcels[0].Add(i, ranks);
+    messages[0].Add(i, ranks);
     if (partner != NoPartner)
     {
-      parcels[1].Add(partner, ranks);
+      messages[1].Add(partner, ranks);
     }
   }
   for (const std::size_t birth : matches.Births)
@@ -187,13 +189,13 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
     const ParticleFrame& to = *later->GetParticles();
     const NodeIndex node = NodeBelow(to.Particles[birth].Position, voxelSize);
     list(node, node);
-    parcels[1].Add(birth, ranks);
+    messages[1].Add(birth, ranks);
   }
-  const std::shared_ptr<ParticleShape> own = parcels[0].Send(earlier);
+  const std::shared_ptr<ParticleShape> own = messages[0].Send(earlier);
   this->Shapes.SetPart(first, own);
   if (later)
   {
-    const std::shared_ptr<ParticleShape> next = parcels[1].Send(*later);
+    const std::shared_ptr<ParticleShape> next = messages[1].Send(*later);
     this->Shapes.SetPart(last, next);
     this->Shapes.SetPair(first, own, next, matches.AreShuffled);
   }

@@ -26,7 +26,7 @@ public:
   {
   }
 
-  void Clear() { this->Homes.Clear(); }
+  void Clear() { this->OwnedFrames.Clear(); }
 
   // Adds a frame, which the caller also adds to the shapes.
   void Add(int step, const std::shared_ptr<InputShape>& shape);
@@ -42,11 +42,12 @@ public:
 private:
   bool ArePlaceable(int first, int last) const;
   std::shared_ptr<const Domain> ShareSpace(const NarrowBand& band, int last) const;
-  ParticleMatches MatchHomes(int first) const;
+  ParticleMatches MatchOwned(int first) const;
   void Send(int first, int last, const ParticleMatches& matches, const Domain& space);
 
   TargetBuilder& Shapes;
-  TargetFrames Homes; // particles that this rank owns; NoShape for a frame that is not distributed
+  TargetFrames
+    OwnedFrames; // particles that this rank owns; NoShape for a frame that is not distributed
 };
 
 }

@@ -11,10 +11,10 @@ namespace activesurface
 SavedState SurfaceSimulation::GetState() const
 {
   SavedState state;
-  if (this->Way.HasBegun() && !this->Way.IsUnderWay() && !this->Settings.IsEquilibrium())
+  if (this->Path.HasBegun() && !this->Path.IsUnfinished() && !this->Settings.IsEquilibrium())
   {
-    const int step = this->Way.GetStep();
-    state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
+    const int step = this->Path.GetStep();
+    state.Band = this->Path.Share({ step, this->Settings.GetStep(step), false });
     state.Origin = this->GetOrigin();
     state.Time = this->Settings.GetStep(step).Value;
     state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
@@ -67,7 +67,7 @@ Motion SurfaceSimulation::GetMotion() const
 {
   const ArrayFrames frames = this->FindArrayFrames();
   return this->Driver.GetMotion(
-    this->Way.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
+    this->Path.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
 }
 
 std::vector<HistoryRow> SurfaceSimulation::GetHistory() const

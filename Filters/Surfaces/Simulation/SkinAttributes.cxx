@@ -68,12 +68,12 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames found = FindArrayFrames(
     this->Settings, this->Time, this->Arrays, this->Shapes, this->Arrays.TangentialVelocity);
-  passed.Moment = FindMoment(frames, found.First, this->Shapes.GetBox(), found.Fraction);
+  passed.Particles = FindParticlesAt(frames, found.First, this->Shapes.GetBox(), found.Fraction);
   passed.Kernel = this->Settings.Particles.Kernel;
   passed.Arrays = this->Arrays.Passed;
   if (this->Arrays.TangentialVelocity)
   {
-    passed.Velocities = passed.Moment.FindVelocities(found.Duration);
+    passed.Velocities = passed.Particles.FindVelocities(found.Duration);
   }
   return passed;
 }
@@ -81,16 +81,16 @@ PassedArrays SkinAttributes::FindPassedArrays() const
 double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
 {
   const TargetFrames& frames = this->Shapes.GetFrames();
-  const ArrayFrames way =
+  const ArrayFrames interval =
     FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true);
-  const ParticleMatches* matches = frames.FindMatches(way.First);
+  const ParticleMatches* matches = frames.FindMatches(interval.First);
   if (!matches || !this->Settings.Inputs.TargetMoves)
   {
     return 0.0;
   }
-  double fastest = FindLongestWay(frames.GetParticles(way.First),
-                     frames.GetParticles(way.First + 1), *matches, this->Shapes.GetBox()) /
-    way.Duration;
+  double fastest = FindLargestDisplacement(frames.GetParticles(interval.First),
+                     frames.GetParticles(interval.First + 1), *matches, this->Shapes.GetBox()) /
+    interval.Duration;
   const std::vector<double>& velocities = passed.Velocities;
   for (std::size_t i = 0; fastest > 0.0 && i < velocities.size(); i += 3)
   {

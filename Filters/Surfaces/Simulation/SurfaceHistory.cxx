@@ -35,7 +35,7 @@ void HistoryRecorder::ContinueFrom(const std::shared_ptr<const NarrowBand>& band
   this->HasParts = true;
 }
 
-HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedMoment& moment)
+HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedState& moment)
 {
   if (this->Before)
   {
@@ -65,7 +65,7 @@ HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedMoment
   return row;
 }
 
-void HistoryRecorder::Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment)
+void HistoryRecorder::Record(std::size_t row, const NarrowBand& band, const RecordedState& moment)
 {
   this->Rows.resize(std::max(this->Rows.size(), row + 1));
   this->Rows[row] = this->MakeRow(band, moment);

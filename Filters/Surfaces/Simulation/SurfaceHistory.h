@@ -17,7 +17,7 @@ namespace activesurface
 
 class NarrowBand;
 
-struct RecordedMoment
+struct RecordedState
 {
   PipelineTime Time;
   double Outside;    // fraction of the target outside the skin
@@ -38,7 +38,7 @@ public:
 
   // Records the band at a time, and its work since the row before. Collective for a part of a band:
   // only rank 0 then records parts of the skin.
-  void Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment);
+  void Record(std::size_t row, const NarrowBand& band, const RecordedState& moment);
 
   // Returns the fraction of the target outside the skin in a row; NaN without such a row.
   double GetOutside(std::size_t row) const;
@@ -54,7 +54,7 @@ public:
   std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:
-  HistoryRow MakeRow(const NarrowBand& band, const RecordedMoment& moment);
+  HistoryRow MakeRow(const NarrowBand& band, const RecordedState& moment);
 
   std::vector<HistoryRow> Rows;
   std::vector<SkinPart> Parts;

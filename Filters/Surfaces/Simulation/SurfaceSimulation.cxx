@@ -1,7 +1,7 @@
 #include "Simulation/SurfaceSimulation.h"
 
 #include "Simulation/MotionWarnings.h"
-#include "Targets/HomeParticles.h"
+#include "Targets/OwnedParticles.h"
 
 #include "vtkPolyData.h"
 
@@ -49,7 +49,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   }
   if (this->Settings != settings)
   {
-    this->Restarts.Note(this->Settings, settings, this->Way.HasBegun(), this->Requested.Time);
+    this->Restarts.Note(this->Settings, settings, this->Path.HasBegun(), this->Requested.Time);
     this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
     this->Reset();
     this->Messages.Forget();
@@ -73,7 +73,7 @@ void SurfaceSimulation::Reset()
 
 void SurfaceSimulation::ResetTrajectory()
 {
-  this->Way.Reset();
+  this->Path.Reset();
   this->Whole.reset();
   this->History.Interrupt();
 }
@@ -82,13 +82,13 @@ void SurfaceSimulation::ResetTrajectory()
 void SurfaceSimulation::Rewind(int step)
 {
   const int saved = this->Saved.FindUpTo(step);
-  if (saved > this->Way.GetStep())
+  if (saved > this->Path.GetStep())
   {
     this->ResetTrajectory();
     try
     {
-      this->Way.Begin(saved, this->Saved.Restore(saved));
-      this->History.ContinueFrom(this->ViewOf(this->Way.ShareAtStep()));
+      this->Path.Begin(saved, this->Saved.Restore(saved));
+      this->History.ContinueFrom(this->ViewOf(this->Path.ShareAtStep()));
     }
     catch (const std::exception&)
     {
@@ -105,20 +105,20 @@ void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays
     return;
   }
   const RequestedTime requested = this->Settings.FindRequested(time);
-  this->Restarts.Tell(requested.Time, this->Messages);
-  const int step = this->Way.GetStep();
-  if (requested.Step < step || (requested.Step == step && this->Way.IsUnderWay()))
+  this->Restarts.Report(requested.Time, this->Messages);
+  const int step = this->Path.GetStep();
+  if (requested.Step < step || (requested.Step == step && this->Path.IsUnfinished()))
   {
-    if (this->Settings.Inputs.OnlyForward && !this->Way.IsUnderWay())
+    if (this->Settings.Inputs.OnlyForward && !this->Path.IsUnfinished())
     {
-      this->Saved.Keep(step, this->Way.GetBand()); // a forward-only input cannot repeat this step
+      this->Saved.Keep(step, this->Path.GetBand()); // a forward-only input cannot repeat this step
     }
     this->ResetTrajectory();
   }
   this->Rewind(requested.Step);
-  if (requested.Time != this->Requested.Time || !this->Way.HasBegun())
+  if (requested.Time != this->Requested.Time || !this->Path.HasBegun())
   {
-    this->FirstStep = this->Way.GetStep();
+    this->FirstStep = this->Path.GetStep();
   }
   this->Requested = requested;
 }
@@ -133,7 +133,7 @@ bool SurfaceSimulation::HasFramesFrom(int step) const
 int SurfaceSimulation::FindMissingStep() const
 {
   const bool moves = this->Settings.Inputs.TargetMoves;
-  const int step = this->Way.GetStep();
+  const int step = this->Path.GetStep();
   if (this->Unverified >= 0)
   {
     return this->Unverified;
@@ -147,7 +147,7 @@ int SurfaceSimulation::FindMissingStep() const
     return 0;
   }
   const bool hasArrived =
-    step == this->Requested.Step && (!this->Requested.Between || this->Way.IsAt(this->Requested));
+    step == this->Requested.Step && (!this->Requested.Between || this->Path.IsAt(this->Requested));
   if (hasArrived)
   {
     return this->FindMissingStepOfArrays();
@@ -189,9 +189,9 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     }
     this->Reset(); // another series that begins with the same times
     this->Loaded = SavedState();
-    this->FirstStep = this->Way.GetStep();
+    this->FirstStep = this->Path.GetStep();
     this->LastStepAdded = step;
-    if (shape->Home) // the spacing is estimated from all particles
+    if (shape->Owned) // the spacing is estimated from all particles
     {
       shape = GatherShape(*shape);
     }
@@ -209,7 +209,7 @@ bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunctio
     {
       this->AddFrame(step, frames(step));
     }
-    if (this->Way.IsAt(this->Requested))
+    if (this->Path.IsAt(this->Requested))
     {
       this->PrepareOutputs();
       return true;
@@ -234,7 +234,7 @@ void SurfaceSimulation::PrepareOutputs()
     const ArrayFrames needed = this->FindArrayFrames();
     this->Shared.MakeWhole(needed.First, needed.Last);
   }
-  const std::shared_ptr<const NarrowBand> band = this->Way.Share(this->Requested);
+  const std::shared_ptr<const NarrowBand> band = this->Path.Share(this->Requested);
   this->Whole = band->GetPart() ? band->GatherWhole(true) : nullptr;
 }
 
@@ -243,7 +243,7 @@ void SurfaceSimulation::PrepareOutputs()
 ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) const
 {
   const double parts = this->Requested.Step - this->FirstStep + (this->Requested.Between ? 1 : 0);
-  const double done = this->Way.GetStep() - this->FirstStep;
+  const double done = this->Path.GetStep() - this->FirstStep;
   return [progress, parts, done](double fraction)
   { return !progress || progress(std::min((done + fraction) / std::max(parts, 1.0), 1.0)); };
 }
@@ -252,7 +252,7 @@ bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
   this->View.Clear(); // a view shares the band, which would be copied before it is moved
   this->Whole.reset();
-  if (!this->Way.HasBegun())
+  if (!this->Path.HasBegun())
   {
     return this->Start(progress);
   }
@@ -260,8 +260,8 @@ bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
   {
     return this->AdvanceToSteadyState(progress);
   }
-  return this->Way.GetStep() < this->Requested.Step ? this->AdvanceStep(progress)
-                                                    : this->AdvanceBranch(progress);
+  return this->Path.GetStep() < this->Requested.Step ? this->AdvanceStep(progress)
+                                                     : this->AdvanceBranch(progress);
 }
 
 bool SurfaceSimulation::Start(const ProgressFunction& progress)
@@ -279,7 +279,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
       this->Shapes.StartTarget();
       this->RestoreLoaded();
       this->Rewind(this->Requested.Step);
-      if (this->Way.HasBegun())
+      if (this->Path.HasBegun())
       {
         return true;
       }
@@ -312,22 +312,22 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
       return false;
     }
   }
-  this->Way.Begin(0, std::move(band));
+  this->Path.Begin(0, std::move(band));
   this->Record(0, this->Settings.GetStep(0), "");
   return true;
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 {
-  const int step = this->Way.GetStep();
-  NarrowBand& band = this->Way.GetBandToMove();
+  const int step = this->Path.GetStep();
+  NarrowBand& band = this->Path.GetBandToMove();
   const MotionTime end = this->Settings.GetMotionTimeOf(step + 1);
   this->Shared.Place(band, step, step + 1);
   if (!this->Driver.AdvanceTo(band, step, end, progress))
   {
     return false;
   }
-  this->Way.FinishStep();
+  this->Path.FinishStep();
   this->Record(static_cast<std::size_t>(step) + 1, this->Settings.GetStep(step + 1), "");
   return true;
 }
@@ -335,12 +335,12 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
 {
   AdvanceReport report;
-  NarrowBand& band = this->Way.GetBandToMove();
+  NarrowBand& band = this->Path.GetBandToMove();
   if (!this->Driver.AdvanceToSteadyState(band, progress, report))
   {
     return false;
   }
-  this->Way.FinishSteadyState();
+  this->Path.FinishSteadyState();
   this->Record(1, this->Settings.ToPipelineTime({ band.GetTime() }), DescribeRest(report));
   return true;
 }
@@ -348,24 +348,24 @@ bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
 bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 {
   const PipelineTime end = this->Requested.Time;
-  const int step = this->Way.GetStep();
-  NarrowBand& band = this->Way.GetBranchTo(end);
+  const int step = this->Path.GetStep();
+  NarrowBand& band = this->Path.GetBranchTo(end);
   this->Shared.Place(band, step, step + 1);
   const bool isThere =
     this->Driver.AdvanceTo(band, step, this->Settings.ToMotionTime(end), progress);
   if (isThere)
   {
-    this->Way.FinishBranch();
+    this->Path.FinishBranch();
   }
   return isThere;
 }
 
 void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::string& event)
 {
-  NarrowBand& band = this->Way.GetBandToMove();
-  const int step = this->Way.GetStep();
+  NarrowBand& band = this->Path.GetBandToMove();
+  const int step = this->Path.GetStep();
   const Motion motion = this->Driver.GetMotion(step);
-  const std::shared_ptr<const NarrowBand> view = this->ViewOf(this->Way.ShareAtStep());
+  const std::shared_ptr<const NarrowBand> view = this->ViewOf(this->Path.ShareAtStep());
   const double outside = this->Coverage.FindOutside(band, motion, step);
   if (HasTargetSpeed(motion) && !this->Settings.ArrivesAfter({ band.GetTime() }) &&
     !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))

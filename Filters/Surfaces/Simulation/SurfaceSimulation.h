@@ -93,7 +93,7 @@ public:
   // Resets everything if the settings have changed, unless they only append time steps.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
-  bool HasBegun() const { return this->Way.HasBegun(); }
+  bool HasBegun() const { return this->Path.HasBegun(); }
   // Returns true if a motion that has begun continues with these settings.
   bool IsContinuedBy(const SurfaceSettings& settings) const
   {
@@ -105,7 +105,7 @@ public:
   bool WithdrawLastStep()
   {
     const int last = this->Settings.GetNumberOfSteps() - 1;
-    const bool isNext = last > 0 && this->Way.GetStep() == last - 1 && !this->Shapes.Has(last);
+    const bool isNext = last > 0 && this->Path.GetStep() == last - 1 && !this->Shapes.Has(last);
     return isNext && this->Settings.Inputs.WithdrawStep();
   }
 
@@ -132,7 +132,7 @@ public:
   // is the same on all ranks while their states agree.
   std::string DescribeState() const
   {
-    return this->Way.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
+    return this->Path.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
       ", after " + std::to_string(this->LastStepAdded) + (this->WantsInitial() ? ", initial" : "") +
       (this->Loaded.Band ? ", loaded" : "");
   }
@@ -175,22 +175,22 @@ public:
   // The whole state, which extends beyond the sides of a periodic box.
   std::shared_ptr<const NarrowBand> ShareWholeBand() const
   {
-    return this->Whole ? this->Whole : this->Way.Share(this->Requested);
+    return this->Whole ? this->Whole : this->Path.Share(this->Requested);
   }
   // Returns true if the requested time is a step: a motion can resume from this state.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Returns null if the surface is not at the requested time.
   const NarrowBand* FindSkin() const
   {
-    return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
+    return this->Path.IsAt(this->Requested) ? &this->GetBand() : nullptr;
   }
   // Returns null if the surface is not at the time of an earlier request.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
     const bool isWhole = this->Whole && time.Time == this->Requested.Time;
-    return !this->Way.IsAt(time) ? nullptr
-      : isWhole                  ? this->Whole.get()
-                                 : this->ViewOf(this->Way.Share(time)).get();
+    return !this->Path.IsAt(time) ? nullptr
+      : isWhole                   ? this->Whole.get()
+                                  : this->ViewOf(this->Path.Share(time)).get();
   }
 
   // Warns once for each reason.
@@ -241,7 +241,7 @@ private:
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
     const bool isOnSteps =
-      this->Settings.Inputs.TargetMoves ? settings.Inputs.TargetMoves : this->Way.IsAtStart();
+      this->Settings.Inputs.TargetMoves ? settings.Inputs.TargetMoves : this->Path.IsAtStart();
     return isOnSteps && this->Settings.AreContinuedBy(settings);
   }
   void ResetTrajectory();
@@ -251,7 +251,7 @@ private:
   ArrayFrames FindArrayFrames() const
   {
     return activesurface::FindArrayFrames(this->Settings, this->Requested, this->Arrays,
-      this->Shapes, WantWay(this->Arrays, this->Shapes));
+      this->Shapes, WantDisplacements(this->Arrays, this->Shapes));
   }
   int FindMissingStepOfArrays() const;
   void PrepareOutputs();
@@ -291,7 +291,7 @@ private:
   RequestedArrays Arrays;
   int FirstStep = -1; // start of the motion to the requested time, for the progress
 
-  Trajectory Way{ this->Settings };
+  Trajectory Path{ this->Settings };
   mutable BoxView View;
   std::shared_ptr<const NarrowBand> Whole; // gathered from all ranks, if outputs need it
   Checkpoints Saved;

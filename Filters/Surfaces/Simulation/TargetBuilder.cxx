@@ -60,7 +60,7 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   this->Prepare(step, *shape);
   this->Kind = shape->HasPoints() ? shape : this->Kind;
   this->Frames.Add(step, std::move(shape), this->GetBox());
-  this->Tell("shuffled particles", this->Frames.DescribeMatches());
+  this->Report("shuffled particles", this->Frames.DescribeMatches());
 }
 
 void TargetBuilder::SetPart(int step, const std::shared_ptr<InputShape>& shape)
@@ -75,7 +75,7 @@ void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier
 {
   this->Frames.SetPair(step, earlier, later,
     PairParticles(*earlier->GetParticles(), *later->GetParticles(), areShuffled));
-  this->Tell("shuffled particles", this->Frames.DescribeMatches());
+  this->Report("shuffled particles", this->Frames.DescribeMatches());
 }
 
 // Adds a node to the margin of the node scheme, because positions between two steps are rounded.
@@ -87,7 +87,7 @@ int TargetBuilder::FindMarginOfRanks()
       ParticleTarget::GetNodeOptions(this->GetOptions(), this->Domain.VoxelSize), reach);
 }
 
-void TargetBuilder::Tell(const std::string& reason, const std::string& sentence)
+void TargetBuilder::Report(const std::string& reason, const std::string& sentence)
 {
   if (!sentence.empty())
   {
@@ -179,7 +179,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
                          "maximum ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
-  this->Tell("flaw of the target", PrepareShape(shape, preparation, where));
+  this->Report("flaw of the target", PrepareShape(shape, preparation, where));
   if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
   {
     this->Messages.Say(
@@ -197,7 +197,7 @@ void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& 
   }
   this->ThinPartsKnown = true;
   const std::string thin = shape.DescribeThinParts(this->GetOptions());
-  this->Tell("thin parts", thin.empty() ? thin : where + thin);
+  this->Report("thin parts", thin.empty() ? thin : where + thin);
 }
 
 void TargetBuilder::PrepareInitial()
@@ -205,7 +205,7 @@ void TargetBuilder::PrepareInitial()
   ShapePreparation preparation = this->GetPreparation();
   preparation.Reach = InitialReach * this->Domain.VoxelSize;
   preparation.MeshHint = " (Its maximum is ten times MaximumNumberOfActiveVoxels.)";
-  this->Tell("flaw of the initial shape",
+  this->Report("flaw of the initial shape",
     PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: "));
 }
 

@@ -175,7 +175,8 @@ private:
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
   void Prepare(int step, InputShape& shape);
-  void Tell(const std::string& reason, const std::string& sentence); // if the sentence is not empty
+  void Report(
+    const std::string& reason, const std::string& sentence); // if the sentence is not empty
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;

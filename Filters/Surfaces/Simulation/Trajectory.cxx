@@ -31,7 +31,7 @@ void Trajectory::Begin(int step, std::unique_ptr<NarrowBand> band)
   this->Step = step;
 }
 
-bool Trajectory::IsUnderWay() const
+bool Trajectory::IsUnfinished() const
 {
   if (!this->HasBegun() || this->Settings.IsEquilibrium())
   {
@@ -44,12 +44,12 @@ bool Trajectory::IsUnderWay() const
 
 bool Trajectory::BranchIsAt(PipelineTime time) const
 {
-  return this->Branch && this->BranchTime == time && !this->BranchIsUnderWay;
+  return this->Branch && this->BranchTime == time && !this->BranchIsUnfinished;
 }
 
 bool Trajectory::IsAt(const RequestedTime& time) const
 {
-  return this->HasBegun() && this->Step == time.Step && !this->IsUnderWay() &&
+  return this->HasBegun() && this->Step == time.Step && !this->IsUnfinished() &&
     (!time.Between || this->BranchIsAt(time.Time)) &&
     (!this->Settings.IsEquilibrium() || this->IsSteady);
 }
@@ -82,7 +82,7 @@ NarrowBand& Trajectory::GetBranchTo(PipelineTime time)
   {
     this->Branch = this->Band->Clone();
     this->BranchTime = time;
-    this->BranchIsUnderWay = true;
+    this->BranchIsUnfinished = true;
   }
   return *this->Branch;
 }

@@ -75,11 +75,11 @@ public:
   int GetStep() const { return this->Step; }
 
   // Returns true if the surface has not moved from the first step, or has not started.
-  bool IsAtStart() const { return this->Step <= 0 && !this->IsUnderWay() && !this->HasBranch(); }
+  bool IsAtStart() const { return this->Step <= 0 && !this->IsUnfinished() && !this->HasBranch(); }
 
   // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
   // at which it vanished.
-  bool IsUnderWay() const;
+  bool IsUnfinished() const;
 
   // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, after
   // FinishSteadyState.
@@ -97,7 +97,7 @@ public:
   // Returns the band to move to a time between this step and the next one. Another time than before
   // starts a new branch.
   NarrowBand& GetBranchTo(PipelineTime time);
-  void FinishBranch() { this->BranchIsUnderWay = false; }
+  void FinishBranch() { this->BranchIsUnfinished = false; }
 
   // Describes the step and the exact time.
   std::string Describe() const;
@@ -117,7 +117,7 @@ private:
   bool IsSteady = false;
   std::shared_ptr<NarrowBand> Branch; // from the step to BranchTime
   PipelineTime BranchTime;
-  bool BranchIsUnderWay = false;
+  bool BranchIsUnfinished = false;
 };
 
 }

@@ -19,22 +19,22 @@ public:
     Warning
   };
   using Listener = std::function<void(Kind kind, const std::string& sentence)>;
-  void SetListener(const Listener& listener) { this->Tell = listener; }
+  void SetListener(const Listener& listener) { this->Report = listener; }
 
   void Say(const std::string& reason, const std::string& sentence, Kind kind = Kind::Warning) const
   {
-    if (this->Told.insert(reason).second && this->Tell)
+    if (this->Reported.insert(reason).second && this->Report)
     {
-      this->Tell(kind, sentence);
+      this->Report(kind, sentence);
     }
   }
 
   // Allows all reasons to be reported again.
-  void Forget() { this->Told.clear(); }
+  void Forget() { this->Reported.clear(); }
 
 private:
-  Listener Tell;
-  mutable std::set<std::string> Told;
+  Listener Report;
+  mutable std::set<std::string> Reported;
 };
 
 }

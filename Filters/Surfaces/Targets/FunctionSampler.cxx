@@ -73,7 +73,7 @@ struct FunctionSampler::Node
 
 private:
   double SampleBoolean(const double x[3], double gradient[3]) const;
-  void TakeDifferences(const double x[3], double gradient[3]) const;
+  void FindDifferences(const double x[3], double gradient[3]) const;
 
   vtkSmartPointer<vtkImplicitFunction> Function;
   vtkImplicitBoolean* Boolean = nullptr;
@@ -143,7 +143,7 @@ double FunctionSampler::Node::SampleAt(const double x[3], double gradient[3]) co
   }
   else
   {
-    this->TakeDifferences(x, gradient);
+    this->FindDifferences(x, gradient);
   }
   return this->ValueAt(x);
 }
@@ -183,7 +183,7 @@ double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3
   return sign * least;
 }
 
-void FunctionSampler::Node::TakeDifferences(const double x[3], double gradient[3]) const
+void FunctionSampler::Node::FindDifferences(const double x[3], double gradient[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -54,7 +54,7 @@ private:
     vtkSmartPointer<vtkImplicitFunction> Source;
   };
 
-  void Take(int step, Shape& shape) const;
+  void Use(int step, Shape& shape) const;
   void SampleShape(const Shape& shape, std::size_t count, const double* points, double* values,
     double* gradients) const;
 
@@ -94,15 +94,15 @@ bool BlendedTarget::IsThreadSafe() const
 
 void BlendedTarget::Place(int step, double fraction)
 {
-  this->Take(step, this->Earlier);
+  this->Use(step, this->Earlier);
   this->Blend = this->Frames.Has(step + 1) ? fraction : 0.0;
   if (this->Blend > 0.0)
   {
-    this->Take(step + 1, this->Later);
+    this->Use(step + 1, this->Later);
   }
 }
 
-void BlendedTarget::Take(int step, Shape& shape) const
+void BlendedTarget::Use(int step, Shape& shape) const
 {
   if (step != shape.Step)
   {

@@ -18,7 +18,7 @@ namespace activesurface
 
 class MovingTarget;
 class TargetFrames;
-struct HomePart;
+struct OwnedPart;
 struct ParticleArrays;
 struct ParticleFrame;
 struct ShapeOptions;
@@ -108,9 +108,10 @@ public:
   std::uint64_t Content = 0;
 
   /**
-   * Set if this shape has only the particles that this rank owns (HomeParticles.h); otherwise null.
+   * Set if this shape has only the particles that this rank owns (OwnedParticles.h); otherwise
+   * null.
    */
-  std::shared_ptr<const HomePart> Home;
+  std::shared_ptr<const OwnedPart> Owned;
 
 protected:
   /** Copies the checksum and the origin. */

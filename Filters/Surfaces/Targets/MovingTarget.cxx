@@ -7,7 +7,7 @@ namespace activesurface
 
 void MovingTarget::MoveAlong(int step, double begin, double end)
 {
-  this->Way = step;
+  this->FirstStep = step;
   this->Begin = begin;
   this->End = end;
   if (!this->IsAt(step, 0.0))
@@ -30,7 +30,7 @@ void MovingTarget::Complete()
 {
   if (!this->IsPlaced)
   {
-    this->PlaceOnce(this->Step == this->Way ? this->Fraction : 0.0);
+    this->PlaceOnce(this->Step == this->FirstStep ? this->Fraction : 0.0);
   }
   if (!this->IsFinished)
   {
@@ -54,12 +54,12 @@ bool MovingTarget::IsAt(int step, double fraction) const
 // Places the target unless it is already placed. Returns true if its position changes.
 bool MovingTarget::PlaceOnce(double fraction)
 {
-  const bool moves = !this->IsAt(this->Way, fraction);
+  const bool moves = !this->IsAt(this->FirstStep, fraction);
   if (moves || !this->IsPlaced)
   {
     this->ForgetPlace();
-    this->Place(this->Way, fraction);
-    this->Step = this->Way;
+    this->Place(this->FirstStep, fraction);
+    this->Step = this->FirstStep;
     this->Fraction = fraction;
     this->IsPlaced = true;
   }

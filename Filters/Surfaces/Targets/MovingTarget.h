@@ -34,7 +34,7 @@ protected:
   virtual void Finish() {}
 
   // Step at which the current motion begins, and the fraction of the interval at a time.
-  int GetStepOfWay() const { return this->Way; }
+  int GetFirstStep() const { return this->FirstStep; }
   double FindFraction(double time) const;
 
   // Duration from the step to the next one [motion time]; 0 if the target stays.
@@ -44,7 +44,7 @@ private:
   bool IsAt(int step, double fraction) const;
   bool PlaceOnce(double fraction);
 
-  int Way = -1; // step at which the motion begins
+  int FirstStep = -1; // step at which the motion begins
   double Begin = 0.0;
   double End = 0.0;
   int Step = -1; // current step, or the step to place again; -1: none

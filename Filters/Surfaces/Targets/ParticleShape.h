@@ -22,7 +22,7 @@ public:
     bool hasVertices = false);
 
   /** Moves the particles out; this shape is empty afterwards. */
-  ParticleFrame TakeParticles() { return std::move(this->Particles); }
+  ParticleFrame ReleaseParticles() { return std::move(this->Particles); }
 
   /** Returns a shape of other particles of the same input, relative to the same origin. */
   std::shared_ptr<ParticleShape> MakeOther(ParticleFrame particles) const;

@@ -85,7 +85,7 @@ void ParticleTarget::Finish()
   if (!this->IsSum() || this->Options.OpensHollows)
   {
     NodeParticleOptions options = GetNodeOptions(this->Options, 1.0);
-    options.OwnRadius = this->FindOwnRadius(this->GetStepOfWay(), options.ReachPerRadius);
+    options.OwnRadius = this->FindOwnRadius(this->GetFirstStep(), options.ReachPerRadius);
     this->Body.Build(this->Now, options);
   }
 }
@@ -107,7 +107,7 @@ NodeParticleOptions ParticleTarget::GetNodeOptions(const ShapeOptions& options, 
 void ParticleTarget::PlaceNodes(const NodeMotion& motion)
 {
   this->VoxelSize = motion.VoxelSize;
-  const int step = this->GetStepOfWay();
+  const int step = this->GetFirstStep();
   ParticleTrack track =
     this->Frames.GetTrack(step, this->Options.Box, this->FindFraction(motion.End));
   track.SetDuration(this->GetDuration());

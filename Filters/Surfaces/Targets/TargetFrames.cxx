@@ -39,7 +39,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
   }
   ParticleMatches matches;
   this->AreMatched =
-    earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Home && !later.Shape->Home;
+    earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Owned && !later.Shape->Owned;
   if (this->AreMatched)
   {
     matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box);

@@ -1,4 +1,4 @@
-#include "Targets/HomeParticles.h"
+#include "Targets/OwnedParticles.h"
 
 #include "Frames/ParticleBytes.h"
 
@@ -15,7 +15,7 @@ namespace activesurface
 namespace
 {
 
-std::size_t HomeOfId(std::int64_t id, std::size_t ranks)
+std::size_t OwnerOfId(std::int64_t id, std::size_t ranks)
 {
   auto key = static_cast<std::uint64_t>(id);
   key = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15ull;
@@ -37,7 +37,7 @@ WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std:
 
 }
 
-ParticleFrame SendHome(
+ParticleFrame SendToOwners(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all)
 {
   const auto size = static_cast<std::size_t>(ranks.GetSize());
@@ -47,7 +47,7 @@ ParticleFrame SendHome(
     std::int64_t& id = piece.Ids[i];
     id += piece.HasIds ? 0 : static_cast<std::int64_t>(before);
     const std::size_t to =
-      piece.HasIds ? HomeOfId(id, size) : static_cast<std::uint64_t>(id) * size / all;
+      piece.HasIds ? OwnerOfId(id, size) : static_cast<std::uint64_t>(id) * size / all;
     chosen[to].push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<Bytes> toEach;
@@ -56,26 +56,26 @@ ParticleFrame SendHome(
   {
     toEach.push_back(PackParticles(piece, ofRank));
   }
-  ParticleFrame home = MergeParticles(ranks.Distribute(std::move(toEach)), piece);
-  home.Whole = DescribeWhole(ranks, home, all);
-  return home;
+  ParticleFrame owned = MergeParticles(ranks.Distribute(std::move(toEach)), piece);
+  owned.Whole = DescribeWhole(ranks, owned, all);
+  return owned;
 }
 
-std::shared_ptr<InputShape> GatherShape(const InputShape& home)
+std::shared_ptr<InputShape> GatherShape(const InputShape& owned)
 {
   std::shared_ptr<InputShape> whole;
-  if (home.Home->ReadWhole)
+  if (owned.Owned->ReadWhole)
   {
-    whole = home.Home->ReadWhole();
-    whole->Content = home.Content;
+    whole = owned.Owned->ReadWhole();
+    whole->Content = owned.Content;
     return whole;
   }
-  const ParticleFrame& part = *home.GetParticles();
+  const ParticleFrame& part = *owned.GetParticles();
   ParticleChoice all(part.Particles.size());
   std::iota(all.begin(), all.end(), 0u);
-  ParticleFrame frame = MergeParticles(home.Home->Ranks.Exchange(PackParticles(part, all)), part);
+  ParticleFrame frame = MergeParticles(owned.Owned->Ranks.Exchange(PackParticles(part, all)), part);
   frame.Ignored = part.CountAllPoints() - part.CountAllParticles();
-  return dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(frame));
+  return dynamic_cast<const ParticleShape&>(owned).MakeOther(std::move(frame));
 }
 
 }

@@ -1,4 +1,4 @@
-#include "Simulation/ParticleMoment.h"
+#include "Simulation/ParticlesAtTime.h"
 
 #include "Index/ParallelTasks.h"
 #include "Targets/TargetFrames.h"
@@ -37,10 +37,10 @@ double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t
 
 }
 
-ParticleMoment FindMoment(
+ParticlesAtTime FindParticlesAt(
   const TargetFrames& frames, int step, const PeriodicBox& box, double fraction)
 {
-  ParticleMoment moment;
+  ParticlesAtTime moment;
   moment.Earlier = frames.Has(step) ? &frames.GetParticles(step) : nullptr;
   moment.Later = frames.Has(step + 1) ? &frames.GetParticles(step + 1) : nullptr;
   moment.Fraction = fraction;
@@ -73,7 +73,7 @@ double Mix(double earlier, double later, const ParticleOrigin& origin, double fr
                                                         : earlier + fraction * (later - earlier);
 }
 
-std::vector<double> ParticleMoment::FindVelocities(double duration) const
+std::vector<double> ParticlesAtTime::FindVelocities(double duration) const
 {
   std::vector<double> velocities;
   const bool given =

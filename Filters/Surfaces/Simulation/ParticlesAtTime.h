@@ -12,7 +12,7 @@ namespace activesurface
 
 class TargetFrames;
 
-struct ParticleMoment
+struct ParticlesAtTime
 {
   std::vector<SkeletonVertex> Particles;
   std::vector<ParticleOrigin> Origins; // of the particles
@@ -30,7 +30,7 @@ struct ParticleMoment
 // Interpolates the particles at a fraction of the interval from a step to the next one. 0 and 1
 // yield exactly the particles of one step. `step` has to be stored if fraction < 1, otherwise the
 // step after it. The result refers to the frames.
-ParticleMoment FindMoment(
+ParticlesAtTime FindParticlesAt(
   const TargetFrames& frames, int step, const PeriodicBox& box, double fraction);
 
 // Interpolates a value linearly; a particle in only one of the steps keeps its value there.

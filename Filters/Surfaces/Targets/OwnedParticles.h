@@ -1,4 +1,4 @@
-// Distributed particles of an input. Each rank owns some of the particles, its home part.
+// Distributed particles of an input. Each rank owns some of the particles, its owned part.
 //
 // The owner of a particle follows from its id, or from its index in the whole input. So a particle
 // has the same owner in each time step, and its positions in two steps are available on one rank.
@@ -17,7 +17,7 @@ namespace activesurface
 {
 
 // Data of a shape that has only the particles that this rank owns.
-struct HomePart
+struct OwnedPart
 {
   Agreement Ranks;
   // Reads the whole input, including arrays that are not sent to the owners; null if there are no
@@ -28,12 +28,12 @@ struct HomePart
 // Sends the particles of this rank's piece to their owners, and returns the particles that this
 // rank owns. before: number of points in the pieces of lower ranks. all: number of points in all
 // pieces. Collective.
-ParticleFrame SendHome(
+ParticleFrame SendToOwners(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
-// Returns all particles of an input on each rank, as one process has them. home: the particles that
+// Returns all particles of an input on each rank, as one process has them. owned: the particles that
 // this rank owns. Collective.
-std::shared_ptr<InputShape> GatherShape(const InputShape& home);
+std::shared_ptr<InputShape> GatherShape(const InputShape& owned);
 
 }
 
