@@ -1,4 +1,4 @@
-// Particles as a target at the nodes of a lattice: see NodeTarget.h in NarrowBand.
+// Particles as a target at the nodes of a lattice: see NodeTarget.h in LevelSet.
 //
 // The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. The skin
 // of a body is near the ends of kernels, where S grows with the fifth power of the depth. The skin

@@ -324,7 +324,8 @@ public:
 
   ///@{
   /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, and the
-   * skin ends on them, closed. Range: on or off. Default: off. */
+   * skin ends on them, closed. Over particles, except in explicit substeps, a skin within r of a
+   * face rests on it, flat. Range: on or off. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);

@@ -193,6 +193,20 @@ def walls_around_particles(contents):
 
 
 @run("walls")
+def fluid_rests_on_walls(contents):
+    lattice = [(x, y, z) for x in range(5) for y in range(5) for z in range(3)]
+    jitter = scattered(75), scattered(75, seed=2)
+    steps = {
+        0.5 * i: cloud([[0.2 * n + 0.1 + 0.08 * d for n, d in zip(*pair)] for pair in pairs])
+        for i, pairs in enumerate(zip(lattice, shifts) for shifts in jitter)
+    }
+    nodes = {"ParticleModel": 1, "TimeIntegration": 1, "CreateParts": 1, "Attraction": -1}
+    surface = make(Steps(steps), BoundedDomain=1, ParticleSpacing=0.2, **nodes)
+    surface.SetModelBounds(0, 1, 0, 1, 0, 1)
+    follow(contents, surface, 0.0, 0.3, 0.5)
+
+
+@run("walls")
 def walls_at_rest(contents):
     rest(contents, walled())
 

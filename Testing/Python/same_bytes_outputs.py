@@ -141,7 +141,7 @@ def skeleton_potential_of_lines(contents):
 
 @run("functions")
 def grid_potential_of_meshes(contents):
-    for mesh, thickness, reach in ((brick(), 0, 0), (brick(), 0, 0.3), (strip(), 0.4, 0)):
+    for mesh, thickness, reach in ((brick(), 0, -1), (brick(), 0, 0.3), (strip(), 0.4, -1)):
         potential = vtkGridPotential()
         potential.SetInput(mesh)
         potential.SetVoxelSize(0.08)

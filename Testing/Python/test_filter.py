@@ -123,6 +123,7 @@ class ValuesInUse(unittest.TestCase):
         surface = make_shrinking_ball()
         self.assertEqual(self.values_of(surface), [0.0] * len(AUTOMATIC), "before an update")
         surface.SetTargetReach(0.7)
+        surface.SetAttraction(3.0)
         surface.SetTargetNoise(0.01)
         surface.UpdateTimeStep(0.1)
         set_values = [max(getattr(surface, "Get" + name)(), 0.0) for name in AUTOMATIC]

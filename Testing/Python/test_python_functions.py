@@ -135,10 +135,18 @@ class Properties(unittest.TestCase):
             with self.subTest(call.__name__), self.assertRaisesRegex(TypeError, "'voxel_size'"):
                 call(*arguments, voxelsize=1)
 
+    def test_automatic_is_as_not_given(self):
+        plain = bytes_of(active.skin(grid()))
+        for keyword in ("particle_spacing", "voxel_size", "tension", "attraction"):
+            for value in (-1, "automatic"):
+                with self.subTest(keyword, value=value):
+                    self.assertEqual(bytes_of(active.skin(grid(), **{keyword: value})), plain)
+        self.assertNotEqual(bytes_of(active.skin(grid(), tension=0)), plain)
+
     def test_values_out_of_range(self):
         for keyword, value, words in (
             ("anisotropy", 300, "1 to 100"),
-            ("tension", -1, ">= 0"),
+            ("tension", -3, ">= 0, or -1"),
             ("particle_model", "round", "sum, anisotropic"),
             ("particle_model", 7, r"'anisotropic' \(1\), not 7"),
         ):

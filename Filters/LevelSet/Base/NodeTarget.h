@@ -81,6 +81,9 @@ public:
 
   /** Distance within which the surface of a body is noise [voxels], see TargetNoise; 0: none. */
   virtual float GetNoise() const = 0;
+
+  /** Largest distance from a wall at which a surface still rests on the wall [voxels]; 0: none. */
+  virtual float GetWallGap() const = 0;
 };
 
 }

@@ -20,6 +20,12 @@
 namespace activesurface
 {
 
+/** Centre of a leaf. */
+inline NodeIndex CentreOf(const NodeIndex& origin)
+{
+  return { origin[0] + 4, origin[1] + 4, origin[2] + 4 };
+}
+
 struct NodeLeaf : ShellLeaf
 {
   /** Numbers of the 27 leaves around the leaf, by NeighbourNumber. Missing leaves are NoLeafInside

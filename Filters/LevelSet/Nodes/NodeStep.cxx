@@ -16,29 +16,9 @@ namespace activesurface
 namespace
 {
 
-/** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
-constexpr double ReachOfLeaf = 6.1 + NodeLimit;
-
 /** Leaves without moving particles stay bitwise identical if they change by less than this times
  * Attraction dt [voxels]. */
 constexpr float RestingChange = 3e-4f;
-
-NodeIndex CentreOf(const NodeIndex& origin)
-{
-  return { origin[0] + 4, origin[1] + 4, origin[2] + 4 };
-}
-
-double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
-{
-  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
-  return DistanceToWalls(walls, place) / voxelSize;
-}
-
-double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxelSize)
-{
-  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
-  return solid.DepthAt(place) / voxelSize;
-}
 
 /** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in
  * parallel if isThreadSafe. */
@@ -86,6 +66,7 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   RunStages(
     { this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room, this->Halo },
     law);
+  this->RestOnWalls(frame, motion, target.GetWallGap());
   this->Confine(this->Potential, frame, motion);
   this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
   this->Repeat(frame, motion, target);
@@ -131,65 +112,6 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   this->IsStill.assign(count, 0);
 }
 
-/** Adds leaves inside the target that the surface of a wall or of the obstacle may cross. */
-void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
-{
-  std::vector<ShellLeaf>& shell = this->Near.Leaves;
-  for (const NodeIndex& origin : this->Near.InsideLeaves)
-  {
-    const NodeIndex centre = CentreOf(origin);
-    const bool isAtWall = motion.Box.Present &&
-      std::fabs(DepthInWalls(motion.Box, centre, frame.VoxelSize)) < 2.0 * ReachOfLeaf;
-    const bool isAtSolid = motion.Solid &&
-      std::fabs(DepthInObstacle(*motion.Solid, centre, frame.VoxelSize)) < Obstacle::Reach;
-    if (isAtWall || isAtSolid)
-    {
-      shell.push_back({ origin, 0, ~std::uint64_t(0) });
-    }
-  }
-  std::sort(shell.begin(), shell.end(),
-    [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
-}
-
-void NodeStep::SampleSolid(std::size_t own, Obstacle& solid) const
-{
-  std::vector<Obstacle::LeafOrigin> origins;
-  std::transform(this->Near.Leaves.begin(),
-    this->Near.Leaves.begin() + static_cast<std::ptrdiff_t>(own), std::back_inserter(origins),
-    [](const ShellLeaf& leaf) { return leaf.Origin; });
-  solid.SampleLeaves(origins);
-  solid.Check();
-}
-
-bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
-{
-  const NodeIndex centre = CentreOf(origin);
-  return (motion.Box.Present && DepthInWalls(motion.Box, centre, frame.VoxelSize) > 0.0) ||
-    (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
-}
-
-/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if neither is
- * near. */
-bool NodeStep::FindDepths(
-  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
-{
-  const bool isAtWall = motion.Box.Present &&
-    DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
-  const float* solid = motion.Solid ? motion.Solid->FindDepths(origin) : nullptr;
-  if (!isAtWall && !solid)
-  {
-    return false;
-  }
-  for (int n = 0; n < 512; ++n)
-  {
-    const NodeIndex node = { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) };
-    const float wall =
-      isAtWall ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize)) : -HUGE_VALF;
-    depths[n] = std::max(wall, solid ? solid[n] : -HUGE_VALF);
-  }
-  return true;
-}
-
 /** Writes G to Room; rows outside the shell get + or - 1. */
 void NodeStep::Evaluate(const NodeTarget& target)
 {
@@ -205,31 +127,6 @@ void NodeStep::Evaluate(const NodeTarget& target)
         {
           std::fill_n(values + 8 * row, 8, (leaf.InsideRows >> row) & 1 ? -1.f : 1.f);
         }
-      }
-    });
-}
-
-/** Raises numbers to the depths in walls and obstacle. All rows of leaves near them count. */
-void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
-{
-  if (!motion.Box.Present && !motion.Solid)
-  {
-    return;
-  }
-  this->Leaves.ForEach(
-    [&](std::size_t i)
-    {
-      float depths[512];
-      NodeLeaf& leaf = this->Leaves[i];
-      if (!this->FindDepths(leaf.Origin, frame, motion, depths))
-      {
-        return;
-      }
-      leaf.Rows = ~std::uint64_t(0);
-      float* values = numbers.Of(i);
-      for (int n = 0; n < 512; ++n)
-      {
-        values[n] = std::min(std::max(values[n], depths[n]), NodeLimit);
       }
     });
 }

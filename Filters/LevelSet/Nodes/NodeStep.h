@@ -51,6 +51,8 @@ private:
     float (&depths)[512]) const;
   bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;
   void Evaluate(const NodeTarget& target);
+  static bool IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion);
+  void RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap);
   void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
   void FetchOld(const NodeFrame& frame, const NodeTarget& target);
   void Carry(const NodeFrame& frame, const NodeTarget& target);

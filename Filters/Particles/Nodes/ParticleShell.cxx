@@ -67,7 +67,7 @@ void ParticleBlocks::FillCells(const ParticleCubes& cubes)
 }
 
 // Distributes the filling by the overlap of the cube and the cells.
-void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
+void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t own)
 {
   constexpr int most = static_cast<int>(MostCellsOfCube) + 3;
   std::uint32_t share[3][most];
@@ -101,7 +101,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
         if (part > 0)
         {
           const int n = 64 * (cell[0] & 7) + CellMask::Bit(cell[1] & 7, cell[2] & 7);
-          AddRelaxed(part * whole / 4096, &this->Filling[512 * this->FindBlock(cell, home) + n]);
+          AddRelaxed(part * whole / 4096, &this->Filling[512 * this->FindBlock(cell, own) + n]);
         }
       }
     }
@@ -131,7 +131,7 @@ void ParticleBlocks::OccupyCells(const ParticleCubes& cubes)
     });
 }
 
-void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
+void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t own)
 {
   ShellBall ball;
   ball.Reach = cube.Shell / this->VoxelSize;
@@ -149,7 +149,7 @@ void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
       for (at[2] = ball.First[2] >> 3; at[2] <= ball.Last[2] >> 3; ++at[2])
       {
         const NodeIndex cell = { 8 * at[0], 8 * at[1], 8 * at[2] };
-        this->OccupyIn(this->Blocks[this->FindBlock(cell, home)], ball);
+        this->OccupyIn(this->Blocks[this->FindBlock(cell, own)], ball);
       }
     }
   }

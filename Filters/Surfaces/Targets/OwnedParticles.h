@@ -31,8 +31,8 @@ struct OwnedPart
 ParticleFrame SendToOwners(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
-// Returns all particles of an input on each rank, as one process has them. owned: the particles that
-// this rank owns. Collective.
+// Returns all particles of an input on each rank, as one process has them. owned: the particles
+// that this rank owns. Collective.
 std::shared_ptr<InputShape> GatherShape(const InputShape& owned);
 
 }

@@ -47,6 +47,11 @@ public:
   {
     return static_cast<float>(this->Options.NoiseAtNodes / this->VoxelSize);
   }
+  // The particles' own radius: such a surface has no room for particles before the wall.
+  float GetWallGap() const override
+  {
+    return static_cast<float>(0.5 * this->Options.SpacingInUse / this->VoxelSize);
+  }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
   // Visits the support of each particle, because any part that the skin does not meet contains a

@@ -130,7 +130,8 @@ def rows_of(own: properties.Property) -> list[str]:
         "PaperScheme": "paper_scheme=off",
         "published where the input has": "pipeline",
     }
-    found = [row for words, row in told.items() if re.search(words, own.comment)]
+    effect = own.comment.split(", automatic:")[0]  # without the rule of a value that is found
+    found = [row for words, row in told.items() if re.search(words, effect)]
     found += filter(None, [groups.get(own.group)])
     return _rows(":" + own.keyword) + found
 

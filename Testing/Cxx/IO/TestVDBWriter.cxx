@@ -253,7 +253,7 @@ TEST(TestVDBWriter, WhatCannotBeWrittenIsAnErrorAndNoFile)
   for (const rlim_t size : { 0, 1000, 20000 })
   {
     const SmallDisk disk(size);
-    refuses(folder + "a.vdb", "room");
+    refuses(folder + "a.vdb", "space");
   }
   EXPECT_TRUE(ReadFile(folder + "a.vdb") == before) << "the file before is still there";
   EXPECT_EQ(CountFiles(folder), 1u) << "and no other";

@@ -153,7 +153,7 @@ TEST(TestNewParts, HollowOpensDeepInside)
     {
       if (part.IsVoid())
       {
-        // The error is second order in h / r: 0.18 % at r = 18.9 h (front.md of NarrowBand), here r
+        // The error is second order in h / r: 0.18 % at r = 18.9 h (front.md of LevelSet), here r
         // = 7.05 h.
         EXPECT_NEAR(-part.Volume / exact, 1.0, 0.0018 * 18.9 * 18.9 * H * H / (inner * inner));
       }

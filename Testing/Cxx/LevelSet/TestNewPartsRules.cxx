@@ -76,7 +76,7 @@ TEST(TestNewPartsRules, WallsCutThem)
   {
     most = std::max(most, mesh.GetPoint(v)[0]);
   }
-  // The rim is accurate to 0.14 voxel (method.md of NarrowBand).
+  // The rim is accurate to 0.14 voxel (method.md of LevelSet).
   EXPECT_LE((most - 0.6) / H, 0.14);
 }
 

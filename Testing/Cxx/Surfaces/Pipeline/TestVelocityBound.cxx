@@ -117,7 +117,7 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
   EXPECT_LT(10, kept) << "others";
 }
 
-// A skin follows a ball with a lag that is accurate to 0.12 voxel (front.md of NarrowBand). The
+// A skin follows a ball with a lag that is accurate to 0.12 voxel (front.md of LevelSet). The
 // error of its speed is that times Attraction, by which the front may exceed the bound.
 TEST(TestVelocityBound, ATranslationIsNotShortened)
 {

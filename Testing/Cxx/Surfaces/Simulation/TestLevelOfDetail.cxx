@@ -207,7 +207,7 @@ struct Levels
 };
 
 // Both skins are wrong by 0.0015 voxel in the mean, and by at most 0.12 while they move (front.md
-// of NarrowBand, Accuracy).
+// of LevelSet, Accuracy).
 constexpr double MeanError = 0.003 * Voxel;
 constexpr double LargestError = 0.12 * Voxel;
 

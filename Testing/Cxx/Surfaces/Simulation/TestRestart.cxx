@@ -85,7 +85,7 @@ TEST(TestRestart, WhatDoesNotShapeTheMotionDoesNotRestartIt)
     [](Filter f)
     {
       f->SetAttraction(2.0);
-      f->SetAttraction(1.0);
+      f->SetAttraction(-1.0);
     }))
     << "a change taken back";
 }

@@ -1,0 +1,216 @@
+// Walls and obstacle in the node scheme.
+
+#include "Nodes/NodeStep.h"
+
+#include "Base/Obstacle.h"
+#include "Base/OpenVDB.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
+constexpr double ReachOfLeaf = 6.1 + NodeLimit;
+
+/** Cosine between the normal of a surface and the direction to a wall: the surface rests on the
+ * wall in full from FacesWall on, and not at all up to LeavesWall. Where a free surface meets a
+ * wall, and at edges of the box, it is therefore as round as without walls. */
+constexpr float LeavesWall = .75f, FacesWall = .95f;
+
+double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return DistanceToWalls(walls, place) / voxelSize;
+}
+
+double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return solid.DepthAt(place) / voxelSize;
+}
+
+/** One side of the walls. */
+struct WallSide
+{
+  int Axis;
+  float Inward; //< direction into the box along the axis, +1 or -1
+  double Place; //< coordinate [voxels]
+};
+
+/** Cosine between the gradient and the direction to a wall; 0 where the gradient vanishes. */
+float CosineToWall(const WallSide& side, const float (&gradient)[3])
+{
+  const float square =
+    gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2];
+  const float towards = -side.Inward * gradient[side.Axis];
+  return towards > 0.f ? towards / std::sqrt(square) : 0.f;
+}
+
+/** Returns the displacement of a surface that is `between` from a wall: all the way up to `gap`.
+ * From there to 1.5 gap the displacement falls to 0, so that a surface that approaches a wall does
+ * not jump. */
+float ShiftToWall(float between, float cosine, float gap)
+{
+  const float facing = (cosine - LeavesWall) / (FacesWall - LeavesWall);
+  const float share = std::min(std::max(facing, 0.f), 1.f);
+  const float shift = std::min(between, 3.f * gap - 2.f * between);
+  return share * share * (3.f - 2.f * share) * std::max(shift, 0.f);
+}
+
+/** Lowers the numbers of a leaf's nodes where the surface rests on a wall. */
+void RestOnWall(const WallSide& side, float gap, const NodeIndex& origin,
+  const NodeBlock<1>& potential, float* numbers)
+{
+  constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
+  for (int n = 0; n < 512; ++n)
+  {
+    const int index[3] = { n >> 6, n >> 3 & 7, n & 7 };
+    const auto distance =
+      static_cast<float>(side.Inward * (origin[side.Axis] + index[side.Axis] - side.Place));
+    const float between = numbers[n] + distance; // from the surface to the wall
+    if (distance >= 0.f && between > 0.f && between < NodeLimit)
+    {
+      const float* c = potential.Row(index[0], index[1]) + index[2];
+      const float gradient[3] = { c[X] - c[-X], c[Y] - c[-Y], c[1] - c[-1] };
+      numbers[n] -= ShiftToWall(between, CosineToWall(side, gradient), gap);
+    }
+  }
+}
+
+}
+
+/** Adds leaves inside the target that the surface of a wall or of the obstacle may cross. */
+void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
+{
+  std::vector<ShellLeaf>& shell = this->Near.Leaves;
+  for (const NodeIndex& origin : this->Near.InsideLeaves)
+  {
+    const NodeIndex centre = CentreOf(origin);
+    const bool isAtWall = motion.Box.Present &&
+      std::fabs(DepthInWalls(motion.Box, centre, frame.VoxelSize)) < 2.0 * ReachOfLeaf;
+    const bool isAtSolid = motion.Solid &&
+      std::fabs(DepthInObstacle(*motion.Solid, centre, frame.VoxelSize)) < Obstacle::Reach;
+    if (isAtWall || isAtSolid)
+    {
+      shell.push_back({ origin, 0, ~std::uint64_t(0) });
+    }
+  }
+  std::sort(shell.begin(), shell.end(),
+    [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
+}
+
+void NodeStep::SampleSolid(std::size_t own, Obstacle& solid) const
+{
+  std::vector<Obstacle::LeafOrigin> origins;
+  std::transform(this->Near.Leaves.begin(),
+    this->Near.Leaves.begin() + static_cast<std::ptrdiff_t>(own), std::back_inserter(origins),
+    [](const ShellLeaf& leaf) { return leaf.Origin; });
+  solid.SampleLeaves(origins);
+  solid.Check();
+}
+
+bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
+{
+  const NodeIndex centre = CentreOf(origin);
+  return (motion.Box.Present && DepthInWalls(motion.Box, centre, frame.VoxelSize) > 0.0) ||
+    (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
+}
+
+/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if neither is
+ * near. */
+bool NodeStep::FindDepths(
+  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
+{
+  const bool isAtWall = IsNearWall(origin, frame, motion);
+  const float* solid = motion.Solid ? motion.Solid->FindDepths(origin) : nullptr;
+  if (!isAtWall && !solid)
+  {
+    return false;
+  }
+  for (int n = 0; n < 512; ++n)
+  {
+    const NodeIndex node = { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) };
+    const float wall =
+      isAtWall ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize)) : -HUGE_VALF;
+    depths[n] = std::max(wall, solid ? solid[n] : -HUGE_VALF);
+  }
+  return true;
+}
+
+bool NodeStep::IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion)
+{
+  return motion.Box.Present &&
+    DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
+}
+
+/** Shifts a surface that is near a wall onto the wall, where it is flat. The sides of a periodic
+ * box are no walls. gap: see NodeTarget. Overwrites Psi. */
+void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap)
+{
+  if (!motion.Box.Present || !(gap > 0.f))
+  {
+    return;
+  }
+  this->Halo.Refresh(this->Potential);
+  const auto rest = [&](std::size_t i)
+  {
+    const NodeLeaf& leaf = this->Leaves[i];
+    if (!IsNearWall(leaf.Origin, frame, motion))
+    {
+      return;
+    }
+    NodeBlock<1> potential;
+    potential.Gather(this->Potential, leaf, NodeLimit);
+    std::copy_n(this->Potential.Of(i), 512, this->Psi.Of(i));
+    for (int wall = 0; wall < 6; ++wall)
+    {
+      if (!(motion.Period.Length[wall / 2] > 0.0))
+      {
+        const WallSide side = { wall / 2, wall % 2 == 0 ? 1.f : -1.f,
+          motion.Box.Bounds[wall] / frame.VoxelSize };
+        RestOnWall(side, gap, leaf.Origin, potential, this->Psi.Of(i));
+      }
+    }
+  };
+  this->Leaves.ForEach(rest);
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      if (IsNearWall(this->Leaves[i].Origin, frame, motion))
+      {
+        std::copy_n(this->Psi.Of(i), 512, this->Potential.Of(i));
+      }
+    });
+}
+
+/** Raises numbers to the depths in walls and obstacle. All rows of leaves near them count. */
+void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
+{
+  if (!motion.Box.Present && !motion.Solid)
+  {
+    return;
+  }
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      float depths[512];
+      NodeLeaf& leaf = this->Leaves[i];
+      if (!this->FindDepths(leaf.Origin, frame, motion, depths))
+      {
+        return;
+      }
+      leaf.Rows = ~std::uint64_t(0);
+      float* values = numbers.Of(i);
+      for (int n = 0; n < 512; ++n)
+      {
+        values[n] = std::min(std::max(values[n], depths[n]), NodeLimit);
+      }
+    });
+}
+
+}
