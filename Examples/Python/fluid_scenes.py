@@ -189,7 +189,7 @@ def fountain(count=40, across=ACROSS):
 
 
 def _free(places, fluid):
-    """Mask of the places that are free of particles of the fluid."""
+    """Mask of the points of `places` without particles of the fluid nearby."""
     apart = places.T[:, :, None] - fluid.places[:, None, :]
     return (apart * apart).sum(axis=0).min(axis=1) > (0.8 * SPACING) ** 2
 

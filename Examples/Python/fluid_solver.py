@@ -151,7 +151,7 @@ class Fluid:
 
 
 def pairs_within(places, reach):
-    """Indices of all pairs nearer than `reach`, each pair once; places has a row for each axis."""
+    """Indices of all pairs nearer than `reach`, each once; `places` has a row for each axis."""
     cells, row, layer = _cells(places, reach)
     order = np.argsort(cells, kind="stable")
     cells, sorted_places = cells[order], np.take(places, order, axis=1)

@@ -1,4 +1,4 @@
-"""Motion blur by the vectors of an .exr file: each pixel is a mean along its way to the next frame.
+"""Motion blur by the vectors of an .exr file: a pixel is a mean along its path to the next frame.
 
 Run: python3 motion_blur.py [--output FOLDER]
 """

@@ -1,4 +1,4 @@
-"""What a probe cannot reach: van der Waals balls, and what water and a larger probe leave of them.
+"""Van der Waals balls, and solvent-excluded surfaces for probes of 1.4 and 4 angstrom.
 
 Run: python3 solvent.py [--output FOLDER]
 """

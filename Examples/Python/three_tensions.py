@@ -1,4 +1,4 @@
-"""The same particles with three tensions, as in the paper's Figure 4.
+"""Skins of the same particles with three tensions, as in the paper's Figure 4.
 
 Run: python3 three_tensions.py [--output FOLDER]
 """

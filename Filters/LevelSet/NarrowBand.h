@@ -150,8 +150,8 @@ public:
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
   /**
-   * Moves the surface until it is steady, or the maximum of substeps is reached; the report says
-   * which. It is steady if its normal speed at the sample points, from all terms, is within the
+   * Moves the surface until it is steady (IsSteady in the report), or the maximum of substeps is
+   * reached. It is steady if its normal speed at the sample points, from all terms, is within the
    * tolerance. Time advances too. Throws like Advance.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,

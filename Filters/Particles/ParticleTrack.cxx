@@ -94,7 +94,7 @@ void ParticleTrack::CheckBox(double margin) const
       text << "PeriodicBounds is " << length << " long along "
            << "xyz"[axis]
            << ", which is narrow for particles that have an effect up to a distance of " << margin
-           << "; enlarge it, or lessen the particles' radii, KernelRadius or ParticleSpacing.";
+           << "; enlarge it, or reduce the particles' radii, KernelRadius or ParticleSpacing.";
       throw std::invalid_argument(text.str());
     }
   }

@@ -56,7 +56,7 @@ TARGET_SUFFIXES = (*PARTICLE_SUFFIXES, *IMAGE_SUFFIXES)
 # Exceptions of zipfile for damaged archives; its NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
-_ABOUT_MESHES = " The commands convert and morph take its surface."
+_ABOUT_MESHES = " The commands convert and morph use its surface."
 
 
 class ParticleFiles:

@@ -237,7 +237,7 @@ void GrowWithThreads(int n, int repetitions)
   }
 }
 
-/** Particles in a ball of radius 1 at a place, on a lattice of `spacing`, each slightly
+/** Particles in a ball of radius 1 around a point, on a lattice of `spacing`, each slightly
  * displaced. */
 vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
 {

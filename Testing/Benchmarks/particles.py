@@ -155,7 +155,7 @@ def hold_still(factor, count=12):
     surface.UpdateTimeStep(0)
     costs = [seconds_of(lambda step=step: surface.UpdateTimeStep(step)) for step in range(1, count)]
     case = f"splash held still, voxel {factor} r"
-    tell(case, "frame that comes to rest", "s", costs[:3])
+    tell(case, "frame that settles", "s", costs[:3])
     tell(case, "frame at rest", "s", costs[-3:])
 
 

@@ -65,7 +65,7 @@ def shared(ranks, keeper, folder):
     writer.SetFileName(os.path.join(folder, "shared_skin.vdb"))
     assert writer.Write()
     listener = Listener(surface)
-    surface.GetSkinFunction()  # which knows a part only, and says so
+    surface.GetSkinFunction()  # only a part is available: a warning
     keeper.keep("function", warnings=numpy.array(listener.warnings, dtype=str))
     surface.RemoveAllObservers()
     surface.SetComputeVelocity(True)  # for which all ranks need the whole
@@ -239,7 +239,7 @@ def grid(ranks, keeper, folder):
 
 @run
 def morph(ranks, keeper, folder):
-    """Functions, which every rank has; the exact volume is held through a split."""
+    """Functions, which every rank has; the exact volume is conserved through a split."""
     for name, surface in (("split", star_to_balls()), ("tube", tube_to_box())):
         surface.SetNumberOfThreads(1)
         surface.SetVoxelSize(0.1)

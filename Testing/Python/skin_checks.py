@@ -129,7 +129,7 @@ def check_parts(history, points, triangles):
     ]
     characteristic = len(points) - len(triangles) // 2
     assert len(numpy.unique(least)) == told[0] + told[1], f"parts and hollows {told[:2]}"
-    assert characteristic == told[2], f"Euler's characteristic {characteristic}, told {told[2]}"
+    assert characteristic == told[2], f"Euler's characteristic {characteristic}, reported {told[2]}"
 
 
 def check_history(history):

@@ -31,7 +31,7 @@ void CheckIsClosed(const MeshTriangles& mesh)
 {
   if (mesh.Defects.BrokenPolygons > 0)
   {
-    throw std::invalid_argument(mesh.Defects.Describe() + " Mend it before it is written.");
+    throw std::invalid_argument(mesh.Defects.Describe() + " Fix the mesh before writing it.");
   }
   if (mesh.Triangles.empty())
   {

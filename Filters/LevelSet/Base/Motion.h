@@ -6,8 +6,8 @@
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  * v: the target's velocity, n: the outward normal, w: weight of tension. Substeps: v = 0, w = 1;
- * kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere under
- * tension alone obeys r^2 = r0^2 - 4 Tension t; A and V the area and the volume of the skin.
+ * kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere with
+ * only Tension obeys r^2 = r0^2 - 4 Tension t; A and V the area and the volume of the skin.
  */
 #ifndef Motion_h
 #define Motion_h

@@ -29,7 +29,7 @@ struct ControlledBand
   int Rounds = 1; //< of up to 1.5 voxels each, for long substeps
 };
 
-/** Moves the surface until the volume is restored to 1e-9, but by at most 1.5 voxels per round. */
+/** Moves the surface until the volume is restored to 1e-9, at most 1.5 voxels per iteration. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** Restores the area by the secant method: the gain of area per displacement may have either

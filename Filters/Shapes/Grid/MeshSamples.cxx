@@ -90,7 +90,7 @@ void CheckSize(const MeshTriangles& mesh, double voxelSize, double band, double 
          << bounds[3] - bounds[2] << " x " << bounds[5] - bounds[4]
          << ", would need more voxels than MaximumNumberOfVoxels = " << maximum
          << "; move or remove points that are far away, enlarge VoxelSize, which is " << voxelSize
-         << ", lessen Reach or MeshThickness, or raise the maximum.";
+         << ", reduce Reach or MeshThickness, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }

@@ -29,7 +29,7 @@ void CheckHasVerticesOnly(vtkDataSet* data)
     if (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX)
     {
       throw std::invalid_argument(std::string("A ") + data->GetClassName() +
-        " with other cells than vertices cannot be a target. Take its points alone as particles, "
+        " with other cells than vertices cannot be a target. Use only its points, as particles, "
         "or its closed surface as a vtkPolyData (vtkDataSetSurfaceFilter).");
     }
   }

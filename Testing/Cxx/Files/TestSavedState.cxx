@@ -63,7 +63,7 @@ TEST(TestSavedState, AFileWithoutTheShareOutsideIsRead)
   EXPECT_EQ(saved.History[1].Event, "split");
 
   const SavedState again = ReadSavedGrid(*MakeSavedGrid(saved));
-  EXPECT_TRUE(std::isnan(again.History[1].Outside)) << "written once more";
+  EXPECT_TRUE(std::isnan(again.History[1].Outside)) << "written again";
   grid->insertMeta("active_history_outside", openvdb::StringMetadata("0x1p-3\n"));
   EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged")) << "a row less";
 }

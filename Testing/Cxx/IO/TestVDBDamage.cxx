@@ -224,7 +224,7 @@ TEST(TestVDBDamage, DamagedSeveralGridsAreRefusedOrRead)
   CheckMutations(Write({ half, ball, same }, Blosc), "several");
 }
 
-// The file is truncated after each of its first bytes, and at places up to its end.
+// The file is truncated after each of its first bytes, and at offsets up to its end.
 TEST(TestVDBDamage, TruncatedFilesAreRefused)
 {
   const std::string whole = Write({ MakeBallGrid() }, Blosc);

@@ -1,4 +1,4 @@
-// Area and volume are held exactly, or by a penalty with the offset that theory predicts.
+// Area and volume are constrained exactly, or by a penalty with the offset that theory predicts.
 
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"

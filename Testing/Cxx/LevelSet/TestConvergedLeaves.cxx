@@ -165,7 +165,7 @@ TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
   // No point moves faster than the limit: a thousandth of a voxel times Attraction.
   const AdvanceReport next =
     resting.Clone()->AdvanceToSteadyState(MakeMotion(Tensions[1]), { 0.0, 1 }, one);
-  EXPECT_LT(next.SurfaceSpeed, 1e-3 * 5.0) << "largest speed of the surface at rest [h/time]";
+  EXPECT_LT(next.SurfaceSpeed, 1e-3 * 5.0) << "largest speed of the steady surface [h/time]";
   const AdvanceReport report = resting.Advance(40.0, MakeMotion(Tensions[1]), one);
   EXPECT_EQ(report.Substeps, 0u) << "substeps that are not skipped, from then on";
 }
@@ -184,7 +184,7 @@ TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
   EXPECT_EQ(report.Substeps, 0u) << "other substeps";
 }
 
-// A dent of the target wakes the surface at any place within a leaf. The dent is half a voxel deep
+// A dent of the target wakes the surface at any point within a leaf. The dent is half a voxel deep
 // and smaller than a leaf. Its volume appears, less what Tension removes.
 TEST(TestConvergedLeaves, ADentWakesTheSurfaceAnywhere)
 {

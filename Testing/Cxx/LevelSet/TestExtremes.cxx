@@ -59,7 +59,7 @@ TEST(TestExtremes, SkinFarFromTheOriginKeepsItsPrecision)
   NarrowBand band(h);
   band.Start(0.0, bounds, MakeInitialFunction(MakeBall(centre, 0.6)));
   const Skin skin(band);
-  EXPECT_TRUE(skin.NeedsDoublePrecision()) << "it says so";
+  EXPECT_TRUE(skin.NeedsDoublePrecision()) << "precision of the skin";
   std::vector<double> points(3 * skin.GetNumberOfPoints());
   std::vector<std::int64_t> corners(3 * skin.GetNumberOfTriangles());
   skin.Write(points.data(), nullptr, corners.data());

@@ -90,7 +90,7 @@ TEST(TestGuards, TargetThatIsNowhereFiniteMovesNothing)
   EXPECT_EQ(report.TargetEvaluations, samples) << "every sample point is evaluated";
   EXPECT_EQ(report.DroppedSamples, samples) << "and dropped, in every substep";
   EXPECT_EQ(report.MaxSpeed, 0.0) << "largest speed";
-  EXPECT_EQ(band.GetTime(), 1.0) << "time goes on";
+  EXPECT_EQ(band.GetTime(), 1.0) << "time advances";
 }
 
 TEST(TestGuards, VoxelSizeMustBeFiniteAndPositive)
@@ -164,8 +164,8 @@ TEST(TestGuards, SurfaceWithoutCommonGroundVanishes)
   StartOn(band, MakeBall({ -0.5, 0.0, 0.0 }, 0.3));
   ShapeTarget target(MakeBall({ 0.5, 0.0, 0.0 }, 0.3));
   const AdvanceReport report = band.Advance(5.0, Motion(), target);
-  EXPECT_TRUE(report.Vanished && band.IsEmpty()) << "the surface has vanished, and says so";
-  EXPECT_EQ(band.GetTime(), 5.0) << "time goes on without a surface";
+  EXPECT_TRUE(report.Vanished && band.IsEmpty()) << "the surface has vanished, and reports it";
+  EXPECT_EQ(band.GetTime(), 5.0) << "time advances without a surface";
   EXPECT_TRUE(Polygonise(band).GetNumberOfPoints() == 0) << "its skin is empty";
   const AdvanceReport later = band.Advance(6.0, Motion(), target);
   EXPECT_TRUE(later.Vanished && later.TargetEvaluations == 0) << "nothing is left to move";
@@ -180,7 +180,7 @@ TEST(TestGuards, FunctionWithoutInsideGivesAnEmptySurface)
   EXPECT_TRUE(band.GetNumberOfActiveNodes() == 0) << "no node is kept";
   EXPECT_TRUE(Polygonise(band).GetNumberOfPoints() == 0) << "the skin is empty";
   EXPECT_TRUE(band.Advance(1.0, Motion(), target).Vanished) << "it stays empty";
-  EXPECT_EQ(band.GetTime(), 1.0) << "time goes on";
+  EXPECT_EQ(band.GetTime(), 1.0) << "time advances";
 }
 
 // Input such as an image with holes: nodes whose value is NaN are outside.
@@ -233,7 +233,7 @@ TEST(TestGuards, ProgressFunctionStopsTheMotion)
     return ++asked <= 3;
   };
   const AdvanceReport report = band.Advance(4.0, Motion(), target, thrice);
-  EXPECT_TRUE(report.Aborted) << "the report says so";
+  EXPECT_TRUE(report.Aborted) << "aborted in the report";
   EXPECT_EQ(report.Substeps, 3u) << "substeps before the stop";
   EXPECT_TRUE(increasing) << "the fraction increases and is less than 1";
   EXPECT_NEAR(band.GetTime(), 4.0 * last, 1e-12) << "time is where it stopped";

@@ -163,7 +163,7 @@ TEST(TestRest, SurfaceArrivesAtItsTarget)
 }
 
 // The metaballs have the size above or are larger. The worst of their normals is off by 7 degrees,
-// and by 8.8 at the worst of 60 places. Metaballs 10 % smaller, for which a voxel is larger, reach
+// and by 8.8 at the worst of 60 points. Metaballs 10 % smaller, for which a voxel is larger, reach
 // 9.5.
 TEST(TestRest, SurfaceArrivesAtItsTargetAtRandom)
 {

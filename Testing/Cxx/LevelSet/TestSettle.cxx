@@ -40,15 +40,15 @@ TEST(TestSettle, SettledBallHasTheExactRadius)
     const double exact = 0.5 * (radius + std::sqrt(radius * radius - 8.0 * tension));
     const Range radii = GetRadii(Polygonise(band), CentreA);
     const std::string name = ", tension " + std::to_string(tension);
-    EXPECT_TRUE(report.IsSteady) << "it says that it rests" << name;
+    EXPECT_TRUE(report.IsSteady) << "reported as steady" << name;
     EXPECT_LT(report.SurfaceSpeed, 1e-3) << "speed [h/time]" << name;
     EXPECT_NEAR((radii.Mean - exact) / h, 0.0, 0.04) << "error of the radius [h]" << name;
     EXPECT_LT(radii.GetSpread() / h, 0.08) << "spread of the radii [h]" << name;
   }
 }
 
-// A ball under tension is in a steady state if its volume is held. The displacement that restores
-// the volume counts as motion.
+// A ball under tension is in a steady state if its volume is conserved. The displacement that
+// restores the volume counts as motion.
 TEST(TestSettle, HeldBallIsAtRest)
 {
   NarrowBand band(VoxelSizeOf(40));
@@ -61,7 +61,7 @@ TEST(TestSettle, HeldBallIsAtRest)
   // oscillation, 1e-7 h per substep of h^2 / 4.
   const AdvanceReport report = band.AdvanceToSteadyState(motion, { 1e-3, 5000 }, none);
   const double radius = std::cbrt(3.0 * band.GetVolume() / (4.0 * Pi));
-  EXPECT_TRUE(report.IsSteady) << "it says that it rests";
+  EXPECT_TRUE(report.IsSteady) << "reported as steady";
   EXPECT_LT(GetRadii(Polygonise(band), Origin).GetSpread() / radius, 0.01) << "relative spread";
 }
 
@@ -71,7 +71,7 @@ TEST(TestSettle, SettlingEndsWithItsSubsteps)
   StartOn(band, MakeBall(Origin, 0.3));
   ShapeTarget target(MakeBall(Origin, 0.6));
   const AdvanceReport report = band.AdvanceToSteadyState(Motion(), { 1e-3, 5 }, target);
-  EXPECT_FALSE(report.IsSteady) << "it says that it does not rest";
+  EXPECT_FALSE(report.IsSteady) << "reported as not steady";
   EXPECT_EQ(report.Substeps, 5u) << "substeps";
   EXPECT_GT(report.SurfaceSpeed, 1e-3) << "speed [h/time]";
   EXPECT_TRUE(std::isnan(report.MovingShare)) << "no window has ended";
@@ -93,7 +93,7 @@ TEST(TestSettle, SettlingReportsProgressAndStops)
   int calls = 0;
   const AdvanceReport report = band.AdvanceToSteadyState(
     Motion(), SteadyStateCriterion(), target, [&calls](double) { return ++calls <= 3; });
-  EXPECT_TRUE(report.Aborted && !report.IsSteady) << "it says that it was stopped";
+  EXPECT_TRUE(report.Aborted && !report.IsSteady) << "reported as aborted";
   EXPECT_EQ(report.Substeps, 3u) << "substeps";
 }
 

@@ -81,8 +81,8 @@ void CheckSpeeds(const Course& course, int n)
     way += std::fabs(moved);
   }
   const std::string name = std::string(course.Name) + ", n = " + std::to_string(n);
-  EXPECT_LT(0.02 * h, way / double(speeds.size())) << "mean way, " << name;
-  EXPECT_LT(error / way, 0.05) << "mean error over the mean way, " << name;
+  EXPECT_LT(0.02 * h, way / double(speeds.size())) << "mean path length, " << name;
+  EXPECT_LT(error / way, 0.05) << "mean error over the mean path length, " << name;
 }
 
 // Motion with short substeps.
@@ -118,8 +118,8 @@ Course MakeSplit()
 Course MakeHeld()
 {
   const auto path = [](double) { return MakeConstant(0.0); };
-  Course course = { "held volume", MakeEllipsoid({ 0.7, 0.4, 0.3 }), path, MotionOf(0.0, 1.0),
-    0.003 };
+  Course course = { "constrained volume", MakeEllipsoid({ 0.7, 0.4, 0.3 }), path,
+    MotionOf(0.0, 1.0), 0.003 };
   course.Way.VolumeControl = Control::Exact;
   return course;
 }

@@ -61,7 +61,7 @@ TEST(TestMeshDefects, CubesThatShareAnEdgeAreASolid)
   EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
   EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "in one cube";
   EXPECT_NEAR(ValueAt(potential, { 0.8, 0.5, 0.5 }), -0.2, 1e-6) << "in the other";
-  EXPECT_NEAR(ValueAt(potential, { 0.8, -0.2, 0.5 }), 0.2, 1e-6) << "beside them";
+  EXPECT_NEAR(ValueAt(potential, { 0.8, -0.2, 0.5 }), 0.2, 1e-6) << "outside both";
   potential->SetMeshThickness(0.1);
   EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "closed: no shell";
 }

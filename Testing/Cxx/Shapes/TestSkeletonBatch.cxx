@@ -100,7 +100,7 @@ TEST(TestSkeletonBatch, CrowdsGiveTheBitsOfSinglePlaces)
         SetInstructionSet(set);
         EXPECT_EQ(CountDifferent(potential, places), 0)
           << name << ", kernel " << kernel << ", instruction set " << (static_cast<int>(set))
-          << ": places that differ";
+          << ": points that differ";
       }
     }
   }
@@ -121,12 +121,12 @@ TEST(TestSkeletonBatch, PlacesThatAreNotFiniteLeaveTheirCrowdAlone)
   places[1] = { 1e300, -1e300, 1e300 };
   vtkNew<vtkSkeletonPotential> potential;
   shape.GiveTo(potential);
-  EXPECT_EQ(CountDifferent(potential, places), 0) << "places that differ";
+  EXPECT_EQ(CountDifferent(potential, places), 0) << "points that differ";
   SkeletonBuilder nothing;
   vtkNew<vtkSkeletonPotential> empty;
   nothing.GiveTo(empty);
   MessageCapture messages(empty);
-  EXPECT_EQ(CountDifferent(empty, places), 0) << "places that differ, without elements";
+  EXPECT_EQ(CountDifferent(empty, places), 0) << "points that differ, without elements";
 }
 
 TEST(TestSkeletonBatch, ValuesHaveOneComponentWhateverTheirArrayHadBefore)
@@ -163,6 +163,6 @@ TEST(TestSkeletonBatch, PlacesBeyondTheFinestCellsAreNotTakenTogether)
   }
   vtkNew<vtkSkeletonPotential> potential;
   shape.GiveTo(potential);
-  EXPECT_EQ(CountDifferent(potential, places), 0) << "places that differ";
+  EXPECT_EQ(CountDifferent(potential, places), 0) << "points that differ";
 }
 }

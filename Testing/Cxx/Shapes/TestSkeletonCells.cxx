@@ -83,7 +83,7 @@ void CheckAgainstParts(SkeletonBuilder& shape, int points, int kernel,
     different +=
       Round(value) != Round(ValueAt(whole, x)) || gradient != GradientAt(whole, x) ? 1 : 0;
   }
-  EXPECT_EQ(different, 0) << sentence << ": places where the bits differ";
+  EXPECT_EQ(different, 0) << sentence << ": points where the bits differ";
   EXPECT_TRUE(touched > static_cast<int>(places.size()) / 4) << sentence << ": supports are met";
 }
 
@@ -188,7 +188,7 @@ TEST(TestSkeletonCells, ElementsThatMoveGiveTheBitsOfFreshOnes)
         different += value != ValueAt(fresh, x) || GradientAt(moved, x) != GradientAt(fresh, x);
       }
     }
-    EXPECT_EQ(different, 0) << "places where the bits differ, offset " << offset;
+    EXPECT_EQ(different, 0) << "points where the bits differ, offset " << offset;
     EXPECT_TRUE(touched > 3000) << "supports are met";
   }
 }
@@ -226,7 +226,7 @@ TEST(TestSkeletonCells, AnyInstructionSetGivesTheSameBits)
           different += ValueAt(potential, x) != value || GradientAt(potential, x) != gradient;
         }
       }
-      EXPECT_EQ(different, 0) << "places that differ, " << KernelNames[kernel];
+      EXPECT_EQ(different, 0) << "points that differ, " << KernelNames[kernel];
     }
   }
   SetInstructionSet(usual);

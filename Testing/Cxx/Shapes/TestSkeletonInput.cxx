@@ -295,7 +295,7 @@ TEST(TestSkeletonInput, OwnElementsAreAsThoseOfAnInput)
     const Point x = random.In(0.0, 1.0);
     different += ValueAt(ofInput, x) != ValueAt(ofArrays, x) ? 1 : 0;
   }
-  EXPECT_EQ(different, 0) << "places where the bits differ";
+  EXPECT_EQ(different, 0) << "points where the bits differ";
   EXPECT_EQ(ofArrays->GetNumberOfIgnoredElements(), 1) << "ignored";
   EXPECT_EQ(arrays.Warnings.size(), 0u) << "silently";
   EXPECT_EQ(input.Warnings.size(), 1u) << "which an input is not";

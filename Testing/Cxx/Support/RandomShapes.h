@@ -1,5 +1,5 @@
 /**
- * Centres and lengths drawn at random near given ones: places at which no constant of the scheme
+ * Centres and lengths drawn at random near given ones: points at which no constant of the scheme
  * was chosen.
  *
  * The same numbers in every run and on every platform: the bits are those of std::mt19937, which

@@ -20,7 +20,7 @@
 namespace activesurface
 {
 
-/** Where they meet. A round that is not complete after a minute is an error. */
+/** Where they meet. A collective that is not complete after a minute is an error. */
 class MeetingPoint
 {
 public:

@@ -126,7 +126,7 @@ TEST(TestPotentialImage, EachPortHasItsOwnTime)
   const std::string bytes = GetBytes(filter);
   filter->UpdateTimeStep(0.5);
   EXPECT_EQ(GetTime(filter->GetOutput()), 0.5) << "the skin's time after an update";
-  EXPECT_TRUE(bytes != GetBytes(filter)) << "the skin is another one";
+  EXPECT_TRUE(bytes != GetBytes(filter)) << "the skin differs";
 }
 
 TEST(TestPotentialImage, PartOfTheExtentIsACrop)

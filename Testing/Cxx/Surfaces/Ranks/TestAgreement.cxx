@@ -20,7 +20,7 @@ Bytes MakeBytes(const std::string& text)
   return { text.begin(), text.end() };
 }
 
-// The sentence of the round, on each rank the same.
+// The sentence of the collective, on each rank the same.
 std::string RunToError(int size, const std::function<void(Agreement& ranks)>& program)
 {
   std::vector<std::string> sentences(static_cast<std::size_t>(size));
@@ -129,7 +129,7 @@ TEST(TestAgreement, AProgramOfOneProcessAgreesWithItself)
   EXPECT_EQ(RunToError(1, [](Agreement& ranks) { ranks.Fail("no file."); }), "no file.");
 }
 
-// One that has no room for what it is sent fails before the others send it.
+// A rank without capacity for its messages fails before the other ranks send them.
 TEST(TestAgreement, AllFailWhereOneHasNoRoom)
 {
   const auto distribute = [](Agreement& ranks)

@@ -139,7 +139,7 @@ TEST(TestCheckpoints, AnyOrderOfTimesGivesTheSameBytes)
   EXPECT_EQ(wrong, 0u) << "skins or histories that differ from a fresh run's";
 }
 
-// The way from a checkpoint to a step has at most nine steps, for an interval of ten.
+// The motion from a checkpoint to a step has at most nine steps, for an interval of ten.
 TEST(TestCheckpoints, GoingBackCostsLessThanAnInterval)
 {
   for (const int interval : { 10, 4 })
@@ -215,7 +215,7 @@ TEST(TestCheckpoints, WithoutCheckpointsItStartsOver)
     GetBytesAt(filter, 2.0);
     filter->ResetCounters();
     GetBytesAt(filter, 1.0);
-    EXPECT_EQ(filter->GetSubsteps(), way) << "substeps of the way from the start";
+    EXPECT_EQ(filter->GetSubsteps(), way) << "substeps of the motion from the start";
   }
 }
 
@@ -317,7 +317,7 @@ TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
   for (const auto size : { std::uintmax_t(0), whole / 2, whole - 100 })
   {
     const SmallDisk disk(size);
-    EXPECT_TRUE(!filter->SaveState(file.c_str())) << "no room beyond " << size;
+    EXPECT_TRUE(!filter->SaveState(file.c_str())) << "no space beyond " << size;
   }
   EXPECT_EQ(messages.Errors.size(), 3u) << "a sentence for each";
   EXPECT_EQ(CountFiles(folder), 1u) << "files";

@@ -273,7 +273,7 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
 }
 
 // The ball has the least area of all bodies of a given volume. Spread and tolerance are those of
-// HeldBallIsAtRest in TestSettle; the volume is held to 1e-6.
+// HeldBallIsAtRest in TestSettle; the volume is constrained to 1e-6.
 TEST(TestEquilibrium, HeldBoxBecomesABallOfItsVolume)
 {
   auto filter = MakeSettlingBall(1.0);

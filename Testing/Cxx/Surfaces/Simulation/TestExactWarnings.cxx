@@ -54,12 +54,12 @@ TEST(TestExactWarnings, ATargetOutsideIsAWarning)
 {
   const auto start = MakeSphere(-0.5, 0.3), away = MakeSphere(0.6, 0.3);
   auto volume = MakeHeld(start, away);
-  EXPECT_EQ(CountWarnings(volume), 1) << "warnings in all, with the volume held";
+  EXPECT_EQ(CountWarnings(volume), 1) << "warnings in all, with constrained volume";
   EXPECT_LT(GetSkinBounds(volume)[1], 0.0) << "where the skin still is";
   auto area = MakeHeld(start, away);
   area->SetVolumeControlToNone();
   area->SetAreaControlToExact();
-  EXPECT_EQ(CountWarnings(area), 1) << "warnings in all, with the area held";
+  EXPECT_EQ(CountWarnings(area), 1) << "warnings in all, with constrained area";
 }
 
 // A target that the skin meets, or that is just within reach at one side, can be followed. A skin

@@ -135,7 +135,7 @@ void AttractsAlike(vtkDataSet* first, vtkDataSet* second, const std::string& nam
   own->MoveTo(0.375);
   EXPECT_TRUE(AreSameBytes(Sample(*own), before)) << name << ": the same bytes";
   own->MoveTo(1.0);
-  EXPECT_FALSE(AreSameBytes(Sample(*own), before)) << name << ": its own way changes something";
+  EXPECT_FALSE(AreSameBytes(Sample(*own), before)) << name << ": its own path changes something";
   EXPECT_TRUE(AreSameBytes(Sample(used), before)) << name << ": the one in use has not moved";
 }
 

@@ -144,7 +144,7 @@ TEST(TestWalls, TheFreeSurfaceMeetsTheWallsAtItsHeight)
   EXPECT_NEAR(sums[1] / counts[1], sums[0] / counts[0], 0.5 * R);
 }
 
-// As a block comes to the floor, the volume beneath it grows from 0 to that of a gap of r, and then
+// The volume beneath a block that comes to the floor grows from 0 to that of a gap of r, and then
 // falls with the gap: without a jump.
 TEST(TestWalls, ABlockComesToTheFloorWithoutAJump)
 {

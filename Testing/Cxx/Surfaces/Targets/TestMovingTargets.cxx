@@ -138,7 +138,7 @@ TEST(TestMovingTargets, EmptyStepIsNoTarget)
   const std::string gone = GetBytes(filter);
   filter->UpdateTimeStep(2.5);
   const double least = GetRadii(filter).Largest;
-  EXPECT_LT(least, 0.3) << "radius half the way back";
+  EXPECT_LT(least, 0.3) << "radius half way back";
   filter->UpdateTimeStep(3.0);
   EXPECT_LT(least, GetRadii(filter).Least) << "radius when it is back";
   EXPECT_EQ(messages.CountAll(), 1u) << "messages";

@@ -195,7 +195,7 @@ TEST(TestTargetNoise, TheSkinOfAPoolStandsStillAndIsFlat)
   rough->SetTension(0.0);
   rough->SetTargetNoise(0.0);
   const Unrest with = Measure(smooth), without = Measure(rough);
-  EXPECT_GT(without.InTime, 0.02 * R) << "the particles' own surface trembles";
+  EXPECT_GT(without.InTime, 0.02 * R) << "the particles' own surface flickers";
   EXPECT_LT(with.InTime, without.InTime / 3.0);
   EXPECT_LT(with.InSpace, without.InSpace / 2.0);
 }
