@@ -1,8 +1,8 @@
 # ctest: LABELS contract
-"""A property of the filter stands in the three files of the recipe in CONTRIBUTING.md, and in no
-list of the tests.
+"""The recipes of CONTRIBUTING.md: each names the files in which such a thing stands, and no other
+file has to know it. A property is in no list of the tests.
 
-Run: python3 test_adding_a_property.py
+Run: python3 test_recipes.py
 """
 
 import re
@@ -10,6 +10,8 @@ import unittest
 from types import SimpleNamespace
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
+from active_implicit_surfaces.particle_files import TARGET_SUFFIXES
+from active_implicit_surfaces.skin_files import SKIN_SUFFIXES
 from documents import ROOT
 from properties import clamped_values, other_values, refused_values, restarts, rows_of
 
@@ -23,13 +25,23 @@ BY_RULES = """
 """.split()
 
 
-def recipe():
-    """Files of Filters in the numbered steps of "Add a property", the alternatives of a step
-    together."""
+def recipe(title="Add a property"):
+    """Files in the numbered steps of a recipe, the alternatives of a step together."""
     text = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    section = text.partition("## Add a property")[2].partition("\n## ")[0]
+    section = text.partition(f"## {title}\n")[2].partition("\n## ")[0]
     steps = re.findall(r"^\d\. (.*?)(?=^\d\. |^$)", section, re.MULTILINE | re.DOTALL)
     return [set(re.findall(r"`(\w+/[\w/]+\.\w+)`", step)) for step in steps]
+
+
+def files_with(pattern, folder):
+    """Files of a folder whose code, without comments, has a pattern."""
+    found = set()
+    for path in (ROOT / folder).rglob("*"):
+        if path.suffix in (".h", ".cxx", ".py", ".txt", ".xml"):
+            code = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+            if re.search(pattern, re.sub("//.*", "", code), re.MULTILINE):
+                found.add(path.relative_to(ROOT).as_posix())
+    return found
 
 
 def declarations_of(name):
@@ -46,6 +58,37 @@ SOURCES = {
     for path in (ROOT / "Filters" / folder).rglob("*")
     if path.suffix in (".h", ".cxx", ".xml", ".py") and path.name not in OTHER_CLASSES
 }
+
+
+class OtherRecipes(unittest.TestCase):
+    def test_a_kind_of_input_stands_in_its_files_only(self):
+        own, kinds = recipe("Add a kind of input")
+        for name in ("Image", "Mesh", "Skeleton"):
+            with self.subTest(name):
+                expected = {file.replace("XShape", name + "Shape") for file in own} | kinds
+                expected.add(f"Filters/Surfaces/Targets/{name}Shape.cxx")
+                self.assertEqual(files_with(rf"\b{name}Shape\b", "Filters"), expected)
+                self.assertEqual(len(expected), 4)
+
+    def test_an_array_is_made_in_one_file(self):
+        made = recipe("Add a point array to the skin")[1]
+        for name in ("MakeVelocity", "MakeCurvatureOf"):
+            self.assertEqual(files_with(rf"\b{name}\b", "Filters"), made)
+
+    def test_a_scheme_stands_in_its_files(self):
+        files = set().union(*recipe("Add a scheme"))
+        known = files_with(r"TimeIntegration::Nodes|^  Nodes$|Nodes/NodeStep\.h", "Filters")
+        self.assertEqual({file for file in known if "/Nodes/" not in file}, files)
+
+    def test_a_format_stands_in_its_files(self):
+        readers, writers = recipe("Add a file format")
+        for table, pattern in ((readers, r"\bread_gro\b"), (writers, r"\bwrite_glb\b")):
+            found = files_with(pattern, "Python/active_implicit_surfaces")
+            self.assertEqual(len(found), 2)
+            self.assertEqual(len(found & table), 1, found)
+        page = (ROOT / "Python" / "files.md").read_text(encoding="utf-8")
+        for suffix in (*TARGET_SUFFIXES, *SKIN_SUFFIXES):
+            self.assertIn(suffix, page)
 
 
 class Recipe(unittest.TestCase):
