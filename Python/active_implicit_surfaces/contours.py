@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
 from .data_objects import add_array, copy_of, output_of, vtk_points
-from .messages import few, listening
+from .messages import few, listening, warn
 
 _OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, and of empty or full
 
@@ -26,8 +26,8 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError if values are NaN, or there are too many voxels; the text is the filter's
-    message.
+    Raises ValueError without scalars of one component, or for too many voxels. Values that are not
+    finite have no surface, with a warning.
     """
     from . import vtkActiveImplicitSurface
 
@@ -45,6 +45,7 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     with listening(surface) as heard:
         surface.UpdateTimeStep(0.0)
     heard.raise_error(ValueError)
+    warn(*heard.warnings)
     skin = surface.GetOutput()
     if numpy.any(shift) and skin.GetNumberOfPoints():
         skin.SetPoints(vtk_points(vtk_to_numpy(skin.GetPoints().GetData()) + shift))
@@ -54,17 +55,17 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
-    Mask (two values): the mean of the values, inside above. Volume fractions (most are 0 or 1):
-    0.5, inside above. Else: 0, inside below. Inside is above a given level also if most of the
-    image's border is below the level.
+    Mask (two values): the mean of the values, inside above; if one value is negative, inside is the
+    value that the image's border mostly has not. Volume fractions (most are 0 or 1): 0.5, inside
+    above. Else: 0, inside below. With a given level, inside is also above if most values at the
+    image's border are below the level.
     """
     image, values = _with_point_values(image)
-    usual, is_mask = _usual_level(values)
+    border = _at_border(image, values)
+    usual, above = _usual_level(values, border)
     if level is None:
-        return usual, is_mask
-    cube = values.reshape(image.GetDimensions()[::-1])
-    border = numpy.concatenate([cube.take((0, -1), axis).ravel() for axis in range(3)])
-    return level, is_mask or bool(numpy.mean(border < level) > 0.5)
+        return usual, above
+    return level, above or bool(numpy.mean(border < level) > 0.5)
 
 
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
@@ -72,9 +73,11 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
     Raises ValueError if the images have several labels, or no values below 0.
     """
-    every = [_with_point_values(image)[1] for image in images]
-    level, above = _usual_level(numpy.concatenate(every))
-    values = numpy.unique(numpy.concatenate(every))
+    every = [_with_point_values(image) for image in images]
+    border = numpy.concatenate([_at_border(*one) for one in every])
+    joined = numpy.concatenate([values for _, values in every])
+    level, above = _usual_level(joined, border)
+    values = numpy.unique(joined)
     labels = [int(value) for value in values if value] if values.dtype.kind in "iu" else []
     if above or not values.size or values[0] < 0:
         return level, above
@@ -102,9 +105,18 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
     return level_set
 
 
-def _usual_level(values: Any) -> tuple[float, bool]:
+def _at_border(image: Any, values: Any) -> Any:
+    """Returns the values at the faces of the image's box."""
+    cube = values.reshape(image.GetDimensions()[::-1])
+    return numpy.concatenate([cube.take((0, -1), axis).ravel() for axis in range(3)])
+
+
+def _usual_level(values: Any, border: Any) -> tuple[float, bool]:
+    values = values[numpy.isfinite(values)]
     low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
     is_mask = low < high and bool(numpy.all((values == low) | (values == high)))
+    if is_mask and low < 0:
+        return 0.5 * (low + high), bool(numpy.mean(border == low) > 0.5)
     if is_mask or not (low > -_OVER and 1.0 - _OVER < high < 1.0 + _OVER):
         return (0.5 * (low + high), True) if is_mask else (0.0, False)
     is_fraction = numpy.mean(numpy.minimum(abs(values), abs(values - 1.0)) < _FULL) > 0.5

@@ -5,8 +5,10 @@ place.
 Volumes and areas are sums over the triangles of the written files.
 """
 
+import math
 import unittest
 
+import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import contours, skin, vtkActiveVDBWriter
 from active_implicit_surfaces.measures import measure
@@ -98,6 +100,19 @@ class Contours(unittest.TestCase):
             self.assertEqual((level, above), (0.5 * (low + high), True))
             self.check(contours.contour(image, level, above=above), BALL, 0.05)
         self.assertEqual(contours.usual_level(image_of(ball)), (0.0, False))
+
+    def test_two_values_of_which_one_is_negative_are_signs(self):
+        image = image_of(lambda *x: numpy.where(inside(*x), -1.0, 1.0))
+        level, above = contours.usual_level(image)
+        self.assertEqual((level, above), (0.0, False))
+        self.check(contours.contour(image, level, above=above), BALL, 0.05)
+
+    def test_values_that_are_not_finite_are_a_warning(self):
+        image = image_of(ball)
+        image.GetPointData().GetScalars().SetTuple1(0, math.nan)
+        self.assertEqual(contours.usual_level(image), (0.0, False))
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "1 of its .* are not finite"):
+            contours.contour(image, 0.0)
 
     def test_where_the_image_is_does_not_matter(self):
         here = contours.contour(image_of(ball), 0.0)
