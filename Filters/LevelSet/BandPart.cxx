@@ -198,8 +198,8 @@ std::shared_ptr<const BandPart> CountTogether(
 namespace
 {
 
-/** Numbers the vertices of another rank's leaf. Edges that the owner does not have get -1: they end
- * at leaves that are missing on this rank. */
+/** Numbers the vertices of another rank's leaf. Edges that are crossed only in this rank's copy,
+ * next to a missing leaf, get -1. */
 void NumberForeign(
   const BandLeaf& leaf, const BandPart::LeafVertices* owners, std::vector<std::int64_t>& numbers)
 {

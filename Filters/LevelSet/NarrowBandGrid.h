@@ -18,9 +18,9 @@ ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand
 
 ///@{
 /**
- * Convert the state to a grid for files, and back, lossless. The grid has the potential at the
- * active nodes (without ghosts at all nodes of the layers), + or - the background elsewhere, and
- * the other members as metadata, except GetWork. FromGrid throws std::runtime_error for any other
+ * Convert the state, except GetWork, to a grid for files and back, lossless. Active nodes have the
+ * potential, other nodes + or - the background; the metadata have the numbers. If the band has no
+ * ghosts, all nodes of the layers are active. FromGrid throws std::runtime_error for any other
  * grid.
  */
 ACTIVELEVELSET_EXPORT openvdb::FloatGrid::Ptr ToGrid(const NarrowBand& band);

@@ -353,7 +353,7 @@ void vtkGridPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* outpu
 {
   if (!input || !output || input->GetNumberOfComponents() != 3)
   {
-    vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
+    vtkErrorMacro("EvaluateFunction needs an input array of 3 components, and an output array.");
     return;
   }
   this->Build();

@@ -152,7 +152,7 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
     found = [path for path in found if not path.name.startswith(".")]
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
     if not found:
-        raise OSError(f"{folder} cannot be read: it is a folder without files {', '.join(known)}.")
+        raise OSError(f"{folder} cannot be read: the folder has no file {', '.join(known)}.")
     numbers = _numbers_in([path.name for path in found])
     series = Counter("*".join(numbers.split(path.name)[::2]) for path in found)
     if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):
@@ -166,8 +166,8 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
 def read_index(index: Path) -> Listing:
     """Reads the frames and times of a .pvd or a .series.
 
-    Parts with the same time are one frame. A later entry replaces an earlier one for the same
-    part, which a restarted run leaves.
+    Parts with the same time are one frame. If a part is listed twice, as after a restart, the later
+    entry counts.
     """
     try:
         text = index.read_text(encoding="utf-8")

@@ -110,7 +110,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
 
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
-    """Reads a mesh or an image; several parts become a mesh, with images at their usual level.
+    """Reads a mesh or an image; joins `parts` into one mesh, with images contoured.
 
     Raises OSError if a file cannot be read.
     """

@@ -168,7 +168,7 @@ class Names(ReaderTest):
         with self.assertRaisesRegex(OSError, r"several series, p_\*.csv, wall_\*.csv; choose one"):
             open_particles("run")
         os.mkdir("none")
-        with self.assertRaisesRegex(OSError, "none cannot be read: it is a folder without files"):
+        with self.assertRaisesRegex(OSError, "none cannot be read: the folder has no file"):
             open_particles("none")
 
     def test_frames_of_one_of_several_files_are_told_once(self):

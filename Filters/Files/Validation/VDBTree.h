@@ -62,8 +62,8 @@ VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**
- * Skips `stored` bytes of a Blosc buffer. They have to unpack to `unpacked` bytes, or to the
- * smallest size that OpenVDB compresses, which includes padding.
+ * Skips a Blosc buffer of `stored` bytes. Throws std::runtime_error unless its header declares
+ * `unpacked` bytes, or OpenVDB's 128 padded bytes if `unpacked` is less.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 

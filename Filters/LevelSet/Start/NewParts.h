@@ -3,12 +3,11 @@
  * skin.
  *
  * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
- * skin reaches the nodes that are connected, along edges, with a node of layer 0, because its
- * sample points are there. It never reaches the other nodes: the target repels the skin in the gap
- * between. These nodes are new parts and new voids. The search starts from the regions and follows
- * connected nodes. It also starts from parts of the input shapes that the skin does not meet at
- * all. A part that the skin meets is already partly covered. Voids have to be wide: Tension or the
- * lattice would close narrow voids, and the search would find them again.
+ * skin reaches such nodes if lattice edges connect them with layer 0, where its sample points are.
+ * The target repels the skin from all other such nodes: these are the new parts and voids. The
+ * search follows connected nodes, from the target's regions, and from parts of the input shapes
+ * that the skin does not meet at all. Voids, and parts of input shapes, have to be wide: Tension or
+ * the lattice would remove narrow ones, and the search would find them again.
  */
 #ifndef NewParts_h
 #define NewParts_h

@@ -55,7 +55,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << (particles ? "particles are outside the skin by more than their own radius"
                      : "target's inside is outside the skin by more than a voxel")
        << "; the column Outside of the history has this percentage for each time step. "
-       << (isHeld ? "What VolumeControl or AreaControl holds may be too little for all of it. "
+       << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
        << "To keep up, raise Attraction"
        << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")

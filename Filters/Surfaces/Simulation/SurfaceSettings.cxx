@@ -102,8 +102,8 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
     text << ", after " << steps[bad - 1];
   }
   text << (areOfInput ? "; check what is upstream (TIME_STEPS)."
-                      : "; check StartTime and TimeStepSize (which has to be > 0, and not lost in "
-                        "rounding beside StartTime).");
+                      : "; check StartTime and TimeStepSize (> 0, and large enough to change "
+                        "StartTime when added).");
   throw std::invalid_argument(text.str());
 }
 

@@ -277,7 +277,7 @@ TEST(TestOutside, AVolumeThatIsHeldIsNamed)
   filter->SetTimeStepSize(1.0);
   MessageCapture messages(filter);
   filter->UpdateTimeStep(8.0);
-  EXPECT_TRUE(messages.Has("What VolumeControl or AreaControl holds may be too little"));
+  EXPECT_TRUE(messages.Has("VolumeControl or AreaControl may keep the skin too small"));
 }
 
 TEST(TestOutside, EmptySkinsAreOutsideOfAll)
