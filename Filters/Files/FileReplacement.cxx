@@ -31,7 +31,7 @@ FileReplacement::FileReplacement(const std::string& name)
   const auto status = std::filesystem::status(name, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw std::runtime_error("a folder or a device has that name, which is no file");
+    throw std::runtime_error("its name is that of a folder or a device");
   }
 }
 
@@ -49,7 +49,7 @@ void FileReplacement::Finish()
   std::filesystem::rename(this->TemporaryName, this->Name, error);
   if (error)
   {
-    throw std::runtime_error("it cannot get its name: " + error.message());
+    throw std::runtime_error("the finished temporary file cannot be renamed: " + error.message());
   }
   this->Finished = true;
 }

@@ -146,7 +146,7 @@ void FileValidator::ReadHeader()
   if (this->Version < OldestVersion || this->Version > openvdb::OPENVDB_FILE_VERSION)
   {
     throw std::runtime_error("its format has the version " + std::to_string(this->Version) +
-      ", and only " + std::to_string(OldestVersion) + " to " +
+      "; only the versions " + std::to_string(OldestVersion) + " to " +
       std::to_string(openvdb::OPENVDB_FILE_VERSION) + " can be read");
   }
   this->Source.Skip(2 * sizeof(std::uint32_t)); // version of the library
@@ -184,7 +184,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   this->Compression = this->Source.Read<std::uint32_t>();
   if (this->Compression > (COMPRESS_ZIP | COMPRESS_ACTIVE_MASK | COMPRESS_BLOSC))
   {
-    RefuseDamage("a grid is packed in an unknown way");
+    RefuseDamage("a grid has an unknown compression");
   }
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
@@ -194,7 +194,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
   {
-    RefuseDamage("a grid is one of half floats and is not");
+    RefuseDamage("type and metadata of a grid disagree about half floats");
   }
   grid.IsKnown = grid.Transform && FindType(grid.Type) &&
     (std::string(grid.GetValueType()) != "points" ||
@@ -206,8 +206,8 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   }
   if (!grid.IsKnown)
   {
-    throw std::runtime_error("its grid " + grid.Name + " is of the unknown type " + grid.Type +
-      ", or not placed by a linear transform, and cannot be skipped");
+    throw std::runtime_error("its grid " + grid.Name + " has the unknown type " + grid.Type +
+      ", or a transform that is not linear, and cannot be skipped; remove the grid from the file");
   }
   this->ValidateTree(grid, metadata);
 }
@@ -237,7 +237,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   const double rounding = 1e-9 * (1.0 + there.length() / grid.Transform->voxelSize().length());
   if (!(miss <= std::max(rounding, 1e-6)))
   {
-    RefuseDamage("a grid is placed nowhere");
+    RefuseDamage("the transform of a grid cannot be inverted");
   }
 }
 
@@ -296,7 +296,7 @@ void FileValidator::FindParents(VDBFile& file) const
     }
     if (!parent || parent->Type != grid.Type)
     {
-      RefuseDamage("a grid shares the tree of one that is not there");
+      RefuseDamage("a grid shares the tree of a grid that does not exist");
     }
     grid.ActiveVoxels = parent->ActiveVoxels;
     grid.NumberOfLeaves = parent->NumberOfLeaves;
@@ -331,8 +331,9 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   if (!grid.IsKnown)
   {
     throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
-      " cannot be read: it is of the type " + grid.Type +
-      (grid.Transform ? "." : ", and not placed by a linear transform."));
+      " cannot be read: " +
+      (grid.Transform ? "its type " + grid.Type + " is not supported."
+                      : "its transform is not linear."));
   }
   try
   {

@@ -137,7 +137,8 @@ void vtkActiveEXRWriter::Write()
   this->UpdateWholeExtent();
   if (!this->Chosen->Asked)
   {
-    this->Fail(vtkErrorCode::UnknownError, "Nothing is written, as the input has failed.");
+    this->Fail(
+      vtkErrorCode::UnknownError, "The update of the input failed, so no file is written.");
   }
 }
 
@@ -222,7 +223,7 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
     throw FileError(vtkErrorCode::UserError,
       "the input has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
         " x " + std::to_string(dimensions[2]) +
-        " points, and an image of one slice is needed (vtkExtractVOI takes one).");
+        " points, but only one slice can be written; extract a slice by vtkExtractVOI.");
   }
   const int width = displaySize[0], height = displaySize[1];
   const bool none = width == 0 && height == 0;

@@ -74,7 +74,7 @@ struct Source
     activesurface::RequestWhole(this->Information);
     if (!this->Pipeline->Update(this->Port))
     {
-      throw std::runtime_error("The input has failed to make its data, so there is no file of it.");
+      throw std::runtime_error("The update of the input failed, so no file is written.");
     }
   }
 
@@ -162,7 +162,7 @@ void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
   }
   if (hasAnyFailed)
   {
-    throw std::runtime_error("Another rank has failed to write the file; its own error says why.");
+    throw std::runtime_error("Another rank failed to write the file; see the error on that rank.");
   }
 }
 
@@ -229,7 +229,8 @@ int vtkActiveVDBWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   if (this->FileName.empty())
   {
-    return fail(vtkErrorCode::NoFileNameError, "There is no FileName to write to.");
+    return fail(
+      vtkErrorCode::NoFileNameError, "FileName is not set; set it to the .vdb file to write.");
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
@@ -283,7 +284,7 @@ void vtkActiveVDBWriter::WriteSteps()
         if (this->GetAbortExecute())
         {
           throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
-            "; the files of those before it are there.");
+            "; the files of the earlier time steps are complete.");
         }
         source->Update(steps[i]);
       });

@@ -207,7 +207,8 @@ AdvanceReport NarrowBand::Advance(
   if (!(time >= members.Time))
   {
     std::ostringstream text;
-    text << "The surface is at time " << members.Time << " and cannot go back to " << time << ".";
+    text << "The surface is at time " << members.Time << " and cannot go back to " << time
+         << "; advance to a later time.";
     throw std::invalid_argument(text.str());
   }
   AdvanceReport report;

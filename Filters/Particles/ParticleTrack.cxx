@@ -92,9 +92,9 @@ void ParticleTrack::CheckBox(double margin) const
     {
       std::ostringstream text;
       text << "PeriodicBounds is " << length << " long along "
-           << "xyz"[axis]
-           << ", which is narrow for particles that have an effect up to a distance of " << margin
-           << "; enlarge it, or reduce the particles' radii, KernelRadius or ParticleSpacing.";
+           << "xyz"[axis] << ", too short for particles whose effect reaches a distance of "
+           << margin
+           << "; enlarge PeriodicBounds, or reduce the radii, KernelRadius or ParticleSpacing.";
       throw std::invalid_argument(text.str());
     }
   }

@@ -212,7 +212,7 @@ void vtkGridPotential::ReadSamples()
   try
   {
     own.Samples = this->MakeSamples();
-    own.Error = own.Samples ? "" : "There is no input.";
+    own.Error = own.Samples ? "" : "There is no input; connect an image or a closed mesh.";
   }
   catch (const std::exception& error)
   {
@@ -225,8 +225,8 @@ void vtkGridPotential::ReadSamples()
   if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)
   {
     vtkWarningMacro(<< own.Defects
-                    << " Holes are closed by winding numbers; MeshThickness > 0 makes "
-                    << "a shell of it.");
+                    << " Holes are closed by winding numbers; to make a shell instead, "
+                    << "set MeshThickness > 0.");
   }
 }
 
@@ -259,8 +259,7 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
         static_cast<double>(this->MaximumNumberOfVoxels) });
   }
   throw std::invalid_argument(std::string("A ") + input->GetClassName() +
-    " has no samples on a lattice, and no closed mesh; give a vtkImageData, or a vtkPolyData of "
-    "polygons.");
+    " is neither an image nor a mesh; connect a vtkImageData, or a vtkPolyData of polygons.");
 }
 
 bool vtkGridPotential::GetGridBounds(double bounds[6])

@@ -163,10 +163,9 @@ void vtkSkeletonPotential::ReadElements()
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
   {
-    vtkWarningMacro(
-      << own.IgnoredElements
-      << " points or segments are ignored: a coordinate, radius or strength of theirs "
-         "is not finite, a radius is not positive, or a point does not exist.");
+    vtkWarningMacro(<< own.IgnoredElements
+                    << " points or segments are ignored: a coordinate, a radius or a strength "
+                       "is not finite, a radius is not positive, or a point does not exist.");
   }
 }
 
@@ -179,8 +178,8 @@ void vtkSkeletonPotential::FitBody()
   }
   if (own.Skeleton.HasSegments())
   {
-    throw std::invalid_argument("Lines can only be a SUM, but ParticleModel is another; set it to "
-                                "SUM, or remove the lines.");
+    throw std::invalid_argument("Lines need ParticleModel SUM, but another model is set; set "
+                                "ParticleModel to SUM, or remove the lines.");
   }
   activesurface::NodeParticleOptions options;
   options.OwnRadius = 0.5 * std::max(this->ParticleSpacing, 0.0);

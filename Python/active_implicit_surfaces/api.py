@@ -322,12 +322,12 @@ def configure(
     chosen = dict(arrays or {})
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
-        raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
+        raise TypeError(f"arrays are chosen for {', '.join(_ARRAYS)}, not for {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
     told = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
     if preset is not None and first.IsA("vtkImageData"):
-        raise ValueError(f"The preset {preset} is of particles; images have none.")
+        raise ValueError(f"The preset {preset} needs particles, not an image; leave preset out.")
     if "ids" not in chosen:
         found = {usual_ids(frame) for frame in told if frame.GetNumberOfPoints()}
         found = found or {usual_ids(first)}
@@ -364,14 +364,14 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [
-            f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: the skin "
-            "breaks into drops if the spacing is too small, and is a lump if it is too large."
+            f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart; give about "
+            f"{own:g}. A smaller spacing breaks the skin into drops, a larger one makes a lump."
         ]
     if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
         return [
             f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so kernels reach "
-            f"few of them. If {radius:g} is the particles' own radius or spacing, give "
-            f"particle_spacing {own:g} instead."
+            f"few neighbours. If {radius:g} is the particles' own radius or spacing, give "
+            f"particle_spacing {own:g} in place of kernel_radius."
         ]
     return []
 

@@ -91,7 +91,9 @@ def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
         name.lower() in ("pos", "positions", "position") and kind in "RI" and size == 3
         for name, kind, _, size in found
     ):
-        raise ValueError(f"its Properties={properties} name no positions, as {_DEFAULT} does")
+        raise ValueError(
+            f"its Properties={properties} name no positions; write them as in {_DEFAULT}"
+        )
     return found
 
 
@@ -110,7 +112,9 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
     except ValueError as error:
         numbers = [[number(cell) for cell in row] for row in cells]
         if kind != "R" or any(None in row for row in numbers):
-            raise ValueError(f"its column {name} holds what is no number ({error})") from error
+            raise ValueError(
+                f"its column {name} has a value that is not a number ({error})"
+            ) from error
         values = numpy.array(numbers, dtype=float)
     if lower in ("pos", "positions", "position"):
         frame["positions"] = values.reshape(-1, 3)
@@ -162,8 +166,11 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
-        effect = "have the radius 0" if are_known else "all have a radius by their distance"
-        warn(f"{few(unknown)}: there is no such element; these atoms {effect}. Write elements.")
+        effect = "have the radius 0" if are_known else "have radii from their distances"
+        warn(
+            f"{few(unknown)}: there is no such element; these atoms {effect}. "
+            "Write elements in the file."
+        )
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
@@ -182,11 +189,17 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
         doubtful = sorted(s for s, own in letters.items() if _may_be_a_name(own, as_elements[s]))
         if doubtful:
             said = [f"{symbol} is {table.GetSymbol(as_elements[symbol])}" for symbol in doubtful]
-            warn(f"Elements in capital letters: {few(said)}. If not so, write elements.")
+            warn(
+                f"Symbols in capital letters are read as elements: {few(said)}. If these "
+                "are names of atoms, write elements in the file."
+            )
         return as_elements
     other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
     meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
-    warn(f"The atoms have names in place of elements: {few(meant)}. If not so, write elements.")
+    warn(
+        f"The file has names of atoms, from which elements are guessed: {few(meant)}. If a "
+        "guess is wrong, write elements in the file."
+    )
     return as_names
 
 

@@ -59,8 +59,8 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
         is_order = form is not None and form["sign"] in _COMPARE
         if form is None or not values or (is_order and (len(values) > 1 or not _number(values[0]))):
             raise ValueError(
-                f"{text!r} is no condition, which compares one array with numbers or texts; write "
-                "NAME=1, NAME=Na,Cl, NAME!=1, NAME<1, NAME>=1, several as conditions of their own."
+                f"{text!r} is no condition. A condition compares one array with numbers or texts: "
+                "NAME=1, NAME=Na,Cl, NAME!=1, NAME<1, NAME>=1. Give several conditions one by one."
             )
         found.append(Condition(form["name"].strip(), form["sign"], values))
     return found
@@ -115,7 +115,7 @@ def choose(
             return data
         if not data.IsA("vtkPointSet"):
             raise ValueError(
-                "Conditions select particles and polygons; for an image, choose a label."
+                "Conditions select particles or polygons, not voxels; for an image, choose a label."
             )
         values, is_of_cells = _values_of(data, condition.name)
         chosen = _meets(values, condition, note)
@@ -220,9 +220,12 @@ def labels_of(data: Any) -> list[int]:
     if values.dtype.kind == "U":
         raise ValueError("There are no labels: the values are texts; choose by where label=NAME.")
     if values.dtype.kind not in "iu" and not numpy.array_equal(values, values.round()):
-        raise ValueError("There are no labels: the values are no whole numbers.")
+        raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
     if len(values) > _MOST_LABELS:
-        raise ValueError(f"There are no labels: the array has {len(values)} different values.")
+        raise ValueError(
+            f"There are no labels: the array has {len(values)} different values, more "
+            f"than {_MOST_LABELS}; leave label out."
+        )
     return [int(value) for value in values if value != 0 or not data.IsA("vtkImageData")]
 
 
@@ -260,7 +263,9 @@ def _labels_in(data: Any) -> Any:
     for name in _LABEL_ARRAYS:
         if _has(data, name):
             return _values_of(data, name)[0]
-    raise ValueError("There is no array 'label' or 'labels'; choose by another one: where NAME=3.")
+    raise ValueError(
+        "There is no array 'label' or 'labels'; choose by another array: where NAME=3."
+    )
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:

@@ -88,8 +88,9 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
             f"The image has no surface: all values are {values[0]:g}. Choose another label or file."
         )
     raise ValueError(
-        f"The image has no inside, which is below 0: its values are from {values[0]:g} to "
-        f"{values[-1]:g}. Give target_iso_value, and invert_target if inside is above."
+        f"The image has no inside: its values are from {values[0]:g} to {values[-1]:g}, none "
+        f"below 0. "
+        "Give target_iso_value, the value at the surface, and invert_target if inside is above it."
     )
 
 

@@ -155,7 +155,8 @@ def vtk_points(positions: Any) -> Any:
     except (TypeError, ValueError) as error:
         if isinstance(positions, (str, os.PathLike)):
             raise TypeError(
-                f"{positions!r} is a name; frames() and active-surface skin read files."
+                f"{positions!r} is a name, not an array; to read a file, call frames(), or run "
+                "active-surface skin."
             ) from error
         raise TypeError(
             f"A {type(positions).__name__} is no set of particles; give an array of n rows and 3 "
@@ -167,10 +168,11 @@ def vtk_points(positions: Any) -> Any:
         hint = ""
         if numbers.shape == (3,):
             hint = (
-                " If this is a row of them: they are a frame, for skin(); frames() takes several."
+                " If this is a row of an array of positions, the whole array is one frame: give it "
+                "to skin(), or a list of such arrays to frames()."
             )
         raise ValueError(
-            "Positions are an array of n rows and 3 columns, not one of the shape "
+            "Positions have to be an array of n rows and 3 columns; the shape is "
             f"{numbers.shape}.{hint}"
         )
     points = vtkPoints()

@@ -90,7 +90,9 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
         axes = rows[:, 0]
     drawn = list(axes)
     if len(drawn) != len(columns):
-        raise ValueError(f"There are {len(drawn)} axes for {len(columns)} columns.")
+        raise ValueError(
+            f"There are {len(drawn)} axes for {len(columns)} columns; give one for each column."
+        )
     times = held["Time"]
     events = [(time, text) for time, text in zip(times, held["Event"]) if text]
     for place, name in zip(drawn, columns):

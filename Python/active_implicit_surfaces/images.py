@@ -93,7 +93,7 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
         try:
             body = (path.parent / name).read_bytes()
         except OSError as error:
-            raise ValueError(f"its data are in {name}: {error.strerror}") from error
+            raise ValueError(f"its data file {name} cannot be read: {error.strerror}") from error
     if fields.get("encoding", "").lower() in ("gz", "gzip"):
         body, fields["encoding"] = gzip.decompress(body), "raw"
     if is_meta and not {"NDims", "DimSize", "ElementType"} <= fields.keys():

@@ -121,8 +121,8 @@ class morph(Skins):
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
                 f"The skin has vanished by the time {self.times[step]:g} and does not reach the "
-                "last shape: the two do not overlap, or have parts thinner than two voxels. Bring "
-                "them together (fit), or reduce voxel_size."
+                "last shape: the first and the last shape do not overlap, or have parts thinner "
+                "than two voxels. Give fit to make the shapes overlap, or reduce voxel_size."
             )
         return skin
 
@@ -181,8 +181,8 @@ def _describe_difference(first: Any, last: Any) -> str:
         return ""
     return (
         f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
-        f"{apart:g} apart. If these are other units or another place, fit brings the last one to "
-        "the first: --fit box, or centre."
+        f"{apart:g} apart. If the shapes differ in unit or place, fit the last one to the first: "
+        "--fit box (size and place), or --fit centre (place)."
     )
 
 

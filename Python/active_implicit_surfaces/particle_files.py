@@ -132,7 +132,9 @@ def open_particles(
         told = told or _times_inside(files)
     if times is not None:
         if len(times) != len(loaders):
-            raise ValueError(f"There are {len(times)} times for {len(loaders)} frames.")
+            raise ValueError(
+                f"There are {len(times)} times for {len(loaders)} frames; give one for each frame."
+            )
         told = list(times)
     elif fps is not None or told is None:
         places = places_of(running_numbers(files)) if len(files) > 1 else range(len(loaders))
@@ -159,7 +161,11 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
-            _note(noted, parts[0], f"not all parts of its frame have {', '.join(lost)}: left out.")
+            _note(
+                noted,
+                parts[0],
+                f"left out: {', '.join(lost)}; not all parts of its frame have such an array.",
+            )
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
             raise OSError(f"{parts[0]} and the other parts of its frame are images, not particles.")
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))

@@ -24,7 +24,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     if any(numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size for box in boxes):
         raise ValueError(
             f"The periodic box changes, from {_text(boxes[0])} to {_text(boxes[-1])}; the filter "
-            "needs one box for all frames. Give periodic_bounds that hold for all of them."
+            "needs one box for all frames. Give a box for all frames as periodic_bounds."
         )
     return boxes[0]
 
@@ -46,14 +46,15 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
     if "Lattice" not in known:
         raise ValueError(
-            "The particles have no box, as .xyz, .dump, .gro and .pdb files may; give its corners "
+            "The particles have no box (files .xyz, .dump, .gro and .pdb may have one); give a box "
             "as periodic_bounds."
         )
     edges = known["Lattice"].reshape(3, 3)
     sides = numpy.diag(edges)
     if numpy.abs(edges - numpy.diag(sides)).max() > _ROUNDING * numpy.abs(edges).max():
         raise ValueError(
-            "The box is slanted (triclinic); only one along x, y and z can be periodic."
+            "The box is slanted (triclinic), but only a box along x, y and z can be periodic; "
+            "leave periodic out."
         )
     low = known.get("Origin", numpy.zeros(3)).reshape(3)
     repeats = known.get("pbc", numpy.ones(3)).reshape(3).astype(bool) & (sides > 0)

@@ -49,7 +49,7 @@ class ProbedAtoms:
         if not 0 <= probe < float("inf"):
             raise ValueError(f"The probe's radius has to be 0 or more, not {probe:g}.")
         if first.IsA("vtkImageData"):
-            raise ValueError("A probe needs atoms; images have none.")
+            raise ValueError("A probe needs atoms, but the input is an image; leave probe out.")
         if preset is not None or idle:
             other = f"preset {preset}" if preset else f"array of {idle[0]}"
             raise ValueError(f"With a probe the {other} has no effect; leave it out.")

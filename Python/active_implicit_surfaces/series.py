@@ -121,7 +121,9 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)
         if self._output_type == "vtkImageData":
-            raise ValueError("minimum_piece needs particles; images have none.")
+            raise ValueError(
+                "minimum_piece needs particles, but the input is an image; leave it out."
+            )
         self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
         return minimum
 
@@ -233,7 +235,9 @@ def _loader(
         return files.load, files.times, files.kind
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
-        raise ValueError(f"There are {len(times)} times for {len(held)} frames.")
+        raise ValueError(
+            f"There are {len(times)} times for {len(held)} frames; give one for each frame."
+        )
     own = times_at(range(len(held)), fps) if times is None else list(times)
     return held.__getitem__, own, _kind_of(held[0] if len(held) else None)
 

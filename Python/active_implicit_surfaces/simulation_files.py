@@ -114,7 +114,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
     except (KeyError, ValueError) as error:
         raise ValueError(f"its frame is damaged ({error})") from error
     if len(rows) < count:
-        raise ValueError(f"a frame has {len(rows)} of {count} atoms; its end is missing")
+        raise ValueError(f"a frame has only {len(rows)} of {count} atoms: the file ends too early")
     cells = rows[0].split() if count else [""] * len(names)
     used = [i for i, (name, cell) in enumerate(zip(names, cells)) if number(cell) is not None]
     table = numpy.loadtxt(rows[:count], usecols=used, ndmin=2) if count else numpy.zeros((0, 99))

@@ -74,8 +74,8 @@ def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
     _, counts = numpy.unique(cells, axis=0, return_counts=True)
     if 4 * int((counts.astype(numpy.int64) ** 2).sum()) > MOST_PAIRS:
         raise ValueError(
-            f"A probe of {probe:g} touches too many atoms at once; reduce its radius. The usual "
-            "probe, water, has 1.4 Angstrom, in the length unit of the atoms."
+            f"A probe of radius {probe:g} touches too many atoms at once; reduce the radius. The "
+            "usual probe, water, has 1.4 Angstrom; give the radius in the length unit of the atoms."
         )
 
 

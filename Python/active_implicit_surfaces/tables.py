@@ -178,7 +178,7 @@ def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> 
 
 
 def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> str:
-    said = f"line {row + 1} has {len(cells)} column(s), its header in line {place + 1} {len(names)}"
+    said = f"line {row + 1} has {len(cells)} column(s), the header (line {place + 1}) {len(names)}"
     are_commas = len(cells) > len(names)
     return said + ("; write decimal points, or separate columns by ;" if are_commas else "")
 

@@ -144,7 +144,10 @@ class UsdFilm(Sink):
             is_wide = len(values) > 0 and (values.min() < -_MOST_INT or values.max() >= _MOST_INT)
             if not self._wide.setdefault(name, is_wide):
                 if is_wide:
-                    raise OSError(f"{self.path}: {name} has 32 bits in earlier frames, 64 later.")
+                    raise OSError(
+                        f"{self.path}: {name} needs 64 bits, but has 32 in earlier frames; write a "
+                        "file for each frame, such as skin_####.vtp."
+                    )
                 kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender has no wider ones
         plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)
         interface = UsdGeom.PrimvarsAPI(self._mesh)

@@ -193,7 +193,7 @@ class Programs(CommandTest):
 
     def test_nothing_left_is_said(self):
         said = self.succeed("convert", "p_10.npz", "--where", "Type>5", "-o", "c.csv").err
-        self.assertIn("Nothing meets Type>5 in frame 1", said)
+        self.assertIn("Frame 1 is empty: nothing in it meets Type>5.", said)
         self.assertEqual((self.folder / "c.csv").read_text().split(), ["x,y,z,Type"])
         said = self.fail_with(1, "skin", "p_*.npz", "--minimum-piece", 999, *QUIET)
         self.assertIn("No frame has particles in a piece of 999 or more.", said)
@@ -234,7 +234,7 @@ class Programs(CommandTest):
         arguments = ("--frames", "13:13", "--preroll", 2, "--transport", 0.5, *QUIET)
         self.assertNotIn("No effect", self.succeed("skin", "p_*.npz", *arguments).err)
         said = self.fail_with(1, "skin", "p_*.npz", "--frames", "20:30")
-        self.assertIn("No frame is in --frames 20:30:1; there are 10 to 16.", said)
+        self.assertIn("--frames 20:30:1 selects no frame; the frames are 10 to 16.", said)
         for wrong in ("10", "a:b", "1:2:0", "1:2:3:4"):
             self.fail_with(2, "skin", "p_*.npz", "--frames", wrong)
         self.assertIn(

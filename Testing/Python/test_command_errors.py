@@ -59,10 +59,10 @@ class Usage(CommandTest):
             "--fps: 0 is not a number above 0": ["skin", DROP, "--fps", 0],
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
-            "an index is a .pvd": ["skin", DROP, "--index", "a.txt"],
+            "--index has to be a .pvd": ["skin", DROP, "--index", "a.txt"],
             "a film cannot be resumed": ["skin", DROP, "--resume", "--render", "a.ogv"],
             "the following arguments are required": ["morph", "a.stl"],
-            "frames are 2 at least": ["morph", "a.stl", "b.stl", "--frames", 1],
+            "--frames has to be 2 or more": ["morph", "a.stl", "b.stl", "--frames", 1],
             "required: -o": ["convert", "a.stl"],
             "files are written as": ["convert", "a.stl", "-o", "b.doc"],
         }
@@ -148,7 +148,7 @@ class Data(CommandTest):
         numpy.savez(self.folder / "a.npz", positions=numpy.zeros((0, 3)))
         outcome = Outcome("skin", self.folder / "a.npz", "-o", self.folder / "s.vtp")
         self.assertEqual(outcome.code, 0)
-        self.assertIn("There are no particles", outcome.err)
+        self.assertIn("The target is empty", outcome.err)
 
     def test_particles_that_are_not_finite(self):
         positions = grid()
@@ -172,7 +172,7 @@ class Data(CommandTest):
 
     def test_an_unknown_kind_of_file(self):
         self.assert_skin_fails("particles are read from", self.put("a.abc", "x"))
-        self.assertIn("info knows", self.fail_with(1, "info", self.put("a.abc", "x")))
+        self.assertIn("info reads", self.fail_with(1, "info", self.put("a.abc", "x")))
         self.assertIn(
             "files are read from",
             self.fail_with(1, "convert", self.put("a.abc", "x"), "-o", self.folder / "b.ply"),

@@ -205,7 +205,9 @@ class GoingOn(CommandTest):
     def test_other_options_are_another_run(self):
         self.fail_with(1, *self.command)
         said = self.fail_with(1, *self.command, "--resume", "--voxel-size", ".04")
-        self.assertIn("without voxel_size, further ones would be made with voxel_size 0.04", said)
+        self.assertIn(
+            "without voxel_size, but further skins would be made with voxel_size 0.04", said
+        )
 
     def test_a_finished_run_has_nothing_left_to_do(self):
         (self.folder / "p3.npy").write_bytes(self.fourth)

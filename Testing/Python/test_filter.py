@@ -166,7 +166,7 @@ class Observers(unittest.TestCase):
 
                 surface.AddObserver(event, observe)
                 surface.UpdateTimeStep(0.5)
-                self.assertIn(f"{name} has been called in an update", listener.errors[0])
+                self.assertIn(f"{name} was called by an observer", listener.errors[0])
                 self.assertEqual(bytes_of(surface), expected)
 
     def test_of_progress(self):
@@ -281,7 +281,7 @@ class Garbage(unittest.TestCase):
             surface.UpdateTimeStep(0.5)
             self.assertEqual(listener.errors, [])
             self.assertEqual(len(listener.warnings), 1)
-            self.assertIn("There are no particles", listener.warnings[0])
+            self.assertIn("The target is empty", listener.warnings[0])
 
     def test_points_that_are_no_numbers(self):
         surface = vtkActiveImplicitSurface()

@@ -171,7 +171,7 @@ class Images(CommandTest):
         self.assertNotIn("Inside", said)
         self.put_values("v.nrrd", 1.0 - self.flat)
         said = self.succeed("convert", "v.nrrd", "-o", "contour.vtp", "--level", 1).err
-        self.assertIn("Inside is above 1, as most of the border of the image is below.", said)
+        self.assertIn("Inside is above 1, because most of the image's border is below.", said)
 
     def contour(self, name, *options):
         self.succeed("convert", name, "-o", "contour.vtp", *options)
@@ -189,7 +189,7 @@ class Images(CommandTest):
                 self.assertAlmostEqual(found["volume"], wanted, delta=0.1 * wanted)
         self.put_values("density.nrrd", self.flat + 3.0)
         said = self.fail_with(1, "morph", "mask.nrrd", "density.nrrd")
-        self.assertIn("no inside, which is below 0", said)
+        self.assertIn("no inside: its values are from", said)
 
     def test_masks_as_parts_of_a_frame(self):
         self.put_values("a0.nrrd", (self.flat < 0) * 1.0)

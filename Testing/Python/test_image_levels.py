@@ -94,7 +94,7 @@ class Levels(unittest.TestCase):
         self.assertEqual(surface.GetOutput().GetNumberOfCells(), 0)
         told = " ".join(" ".join(heard.warnings).split())
         self.assertIn("Its values are from 0 to 2, and inside is below 0", told)
-        self.assertIn("Of several labels choose one", told)
+        self.assertIn("choose one label by vtkImageThreshold", told)
 
     def test_what_has_an_inside_needs_no_sentence(self):
         for values in (DISTANCE, INSIDE.astype("u1"), numpy.zeros((9, 9, 9))):

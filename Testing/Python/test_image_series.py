@@ -93,7 +93,7 @@ class Series(CommandTest):
     def test_options_of_particles_are_an_error(self):
         self.write("fraction")
         said = self.fail_with(1, "skin", "v_*.vti", "--preset", "viscous")
-        self.assertIn("The preset viscous is of particles; images have none.", said)
+        self.assertIn("The preset viscous needs particles, not an image", said)
         for option in (("--radii", "r"), ("--particle-spacing", 1)):
             said = self.fail_with(2, "skin", "v_*.vti", *option)
             self.assertIn(f"{option[0]} has no effect here: it acts on particles", said)

@@ -204,7 +204,7 @@ class Drops(unittest.TestCase):
         surface = surface_over([water(0), water(1)], VolumeControl=2)
         heard = Listener(surface)
         surface.UpdateTimeStep(0)
-        self.assertIn("cannot hold a skin in a periodic box", " ".join(heard.errors))
+        self.assertIn("PeriodicBounds continues the skin across the sides", " ".join(heard.errors))
         self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
 
     def test_only_particles_have_a_box(self):
@@ -231,7 +231,7 @@ class Drops(unittest.TestCase):
         heard = Listener(surface)
         surface.UpdateTimeStep(0)
         told = " ".join(" ".join(heard.errors).split())
-        self.assertIn("narrow for particles that have an effect up to a distance of 7.2", told)
+        self.assertIn("too short for particles whose effect reaches a distance of 7.2", told)
 
     def test_balls_of_any_radius_have_their_copies(self):
         few = numpy.array([[2, y, z] for y in (0.2, 3.8) for z in (0.2, 3.8)])

@@ -277,7 +277,7 @@ class Command(CommandTest):
     def test_images(self):
         ball = solvent.excluded_distance([[0, 0, 0]], [1.7], 0.0, 0.4)
         image = write(vtkXMLImageDataWriter(), ball, self.folder / "image.vti")
-        self.assertIn("images have none", self.fail_with(1, "skin", image, "--probe", 1.4))
+        self.assertIn("the input is an image", self.fail_with(1, "skin", image, "--probe", 1.4))
 
 
 if __name__ == "__main__":

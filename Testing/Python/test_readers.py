@@ -201,7 +201,7 @@ class Molecules(ReaderTest):
             with self.subTest(symbols):
                 found, said = self.numbers(*symbols)
                 self.assertEqual(found, wanted)
-                self.assertIn("names in place of elements", said)
+                self.assertIn("names of atoms, from which elements are guessed", said)
                 self.assertEqual("CA is C" in said, "CA" in symbols)
 
     def test_elements_stay_elements(self):
@@ -223,7 +223,7 @@ class Molecules(ReaderTest):
         ):
             found, said = self.numbers(*symbols)
             self.assertEqual(found, wanted)
-            self.assertIn(f"capital letters: {doubtful}. ", said)
+            self.assertIn(f"capital letters are read as elements: {doubtful}. ", said)
 
     def test_columns_without_names(self):
         path = self.put("a.xyz", "2\n\nO 1 2 3 -0.8 5 a\nH 4.D0 5 6D-1 0.4 6 b\n")
@@ -270,7 +270,7 @@ class Molecules(ReaderTest):
         for words, head in (
             ("no positions", "species:S:1"),
             ("line 3 has 4", "a:R:2:pos:R:3"),
-            ("column pos holds what is no number", "pos:R:3"),
+            ("column pos has a value that is not a number", "pos:R:3"),
         ):
             path = self.put("a.xyz", f"1\nProperties={head}\nO 1 2 3\n")
             self.assert_refused(words, path)

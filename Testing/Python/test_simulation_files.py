@@ -124,7 +124,7 @@ class Dumps(ReaderTest):
     def test_damage(self):
         whole = dump([[1, 1, 1, 2, 3], [2, 1, 4, 5, 6]])
         for words, text in (
-            ("a frame has 1 of 2 atoms", whole[:-11]),
+            ("a frame has only 1 of 2 atoms", whole[:-11]),
             ("it is no dump", "1 2 3\n"),
             ("it is binary; write it as text", b"\0\1" + bytes(90)),
             ("its frame is damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),

@@ -42,7 +42,7 @@ class Films(CommandTest):
         for suffix in ("usdc", "usda"):
             arguments = ("--fps", 25, "--pass-target-arrays", "--up", "z", "-o", f"film.{suffix}")
             said = self.succeed("skin", "p.npz", *COMMON, *arguments).err
-            self.assertIn(f"a .{suffix} file cannot hold more: kind;", said)
+            self.assertIn(f"A .{suffix} file cannot hold kind,", said)
             stage = Usd.Stage.Open(f"film.{suffix}")
             self.assertEqual(UsdGeom.GetStageUpAxis(stage), "Z")
             self.assertEqual(UsdGeom.GetStageMetersPerUnit(stage), 1)
@@ -135,7 +135,7 @@ class Films(CommandTest):
         wide = numpy.stack([numpy.arange(125) + 2**40 * step for step in range(4)])
         numpy.savez("w.npz", positions=points, code=wide)
         said = self.fail_with(1, "skin", "w.npz", *COMMON, "--pass-target-arrays", "-o", "w.usdc")
-        self.assertIn("w.usdc: code has 32 bits in earlier frames, 64 later.", said)
+        self.assertIn("w.usdc: code needs 64 bits, but has 32 in earlier frames", said)
 
     def test_what_cannot_be(self):
         with mock.patch.dict(sys.modules, {"pxr": None}):

@@ -22,7 +22,7 @@ void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
   const std::uint64_t count = source.Read<std::uint32_t>();
   if (count > source.GetSize() / leastLeaf)
   {
-    RefuseDamage("it lists sizes of more leaves than it can have");
+    RefuseDamage("it lists sizes of more leaves than a file of its size can have");
   }
   const auto walk = [&source](std::uint32_t stored, std::uint64_t bytes)
   {
@@ -55,7 +55,7 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     ValidateLeafSizes(source, metadata);
     if (source.GetPosition() - begin != size)
     {
-      RefuseDamage("its sizes of leaves have another length");
+      RefuseDamage("its list of leaf sizes does not have the length that it declares");
     }
     return;
   }

@@ -117,7 +117,8 @@ void TopologyValidator::Background()
   const bool isZero = value.find_first_not_of('\0') == std::string::npos;
   if (this->Format.Kind == VDBFormat::Points && !isZero)
   {
-    RefuseDamage("points have a background"); // makes OpenVDB's reader abort the program
+    RefuseDamage(
+      "a grid of points has a background value"); // makes OpenVDB's reader abort the program
   }
 }
 
@@ -210,7 +211,7 @@ VDBLeafSize TopologyValidator::Values(const std::uint64_t* active, int words)
   const auto scheme = this->Source.Read<std::int8_t>();
   if (scheme < NO_MASK_OR_INACTIVE_VALS || scheme > NO_MASK_AND_ALL_VALS)
   {
-    RefuseDamage("values are packed in an unknown way");
+    RefuseDamage("values have an unknown compression");
   }
   const bool two = scheme == MASK_AND_TWO_INACTIVE_VALS;
   const bool one = scheme == NO_MASK_AND_ONE_INACTIVE_VAL || scheme == MASK_AND_ONE_INACTIVE_VAL;
@@ -296,7 +297,7 @@ void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked)
   const bool isPadded = header.Unpacked == leastPacked && unpacked <= leastPacked;
   if (header.Stored != stored || (header.Unpacked != unpacked && !isPadded))
   {
-    RefuseDamage("packed values are of another size");
+    RefuseDamage("compressed values have a wrong size");
   }
   source.Seek(begin);
   source.Skip(stored);

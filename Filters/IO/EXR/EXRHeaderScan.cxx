@@ -71,7 +71,7 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   attribute->readValueFrom(input, static_cast<int>(size), version);
   if (input.tellg() != end)
   {
-    Refuse("attribute " + name + " of its header is not as long as it says");
+    Refuse("attribute " + name + " of its header does not have the length that it declares");
   }
   header.insert(name, *attribute);
 }
@@ -194,7 +194,7 @@ void CheckEXRHeaders(EXRInput& input)
   const int version = static_cast<int>(ReadNumber(input));
   if (Imf::getVersion(version) != Imf::EXR_VERSION)
   {
-    Refuse("its version of the format is not supported");
+    Refuse("its version of the EXR format is not supported; only version 2 is");
   }
   while (ReadHeader(input, version) && Imf::isMultiPart(version))
   {

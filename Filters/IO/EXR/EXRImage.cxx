@@ -114,7 +114,8 @@ const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part)
   if (part >= count)
   {
     throw FileError(vtkErrorCode::UserError,
-      "it has no Part " + std::to_string(part) + ", they are 0 to " + std::to_string(count - 1));
+      "it has no Part " + std::to_string(part) + "; set Part to a number from 0 to " +
+        std::to_string(count - 1));
   }
   const EXRPart& found = file.GetParts()[part];
   if (found.Type.compare(0, 4, "deep") == 0)
@@ -133,7 +134,7 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
     [&selection](const EXRChannel& channel) { return selection.Has(channel.Name); });
   if (channels.empty())
   {
-    throw FileError(vtkErrorCode::UserError, "it has none of the channels that are enabled");
+    throw FileError(vtkErrorCode::UserError, "it has none of the enabled channels; enable others");
   }
   return GroupChannels(channels);
 }
@@ -148,8 +149,8 @@ void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection
   if (bytes > limit)
   {
     throw FileError(vtkErrorCode::UserError,
-      "reading it takes " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
-        " MiB, more than MaximumMemory allows");
+      "reading it needs " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
+        " MiB, more than MaximumMemory; raise MaximumMemory, or enable fewer channels");
   }
   image->SetExtent(decoded[0], decoded[1], decoded[2], decoded[3], 0, 0);
   file.Read(part, decoded, AddArrays(layers, image, decoded != description.Data));

@@ -79,7 +79,7 @@ template <class Value>
   throw FileError(vtkErrorCode::UserError,
     "Value " + std::to_string(value) + " of array \"" + source.Array->GetName() +
       "\" does not fit into the type of channel " + source.Channel + ", " + NameOf(source.Type) +
-      "; AssignPixelType chooses another.");
+      "; choose another type by AssignPixelType.");
 }
 
 template <class Sample, class Value, class Change>
@@ -189,7 +189,8 @@ EXRSamples MakeSamples(const EXRSource& source)
       source, static_cast<const VTK_TT*>(values) + source.Component, samples.Converted));
     default:
       throw FileError(vtkErrorCode::UserError,
-        std::string("Array \"") + array->GetName() + "\" has a type that no channel can hold.");
+        std::string("Array \"") + array->GetName() +
+          "\" has a type that no EXR channel can store; convert it to float.");
   }
   samples.First = samples.Converted.data();
   samples.Stride = source.Type == EXRPixel::HALF ? 2 : 4;

@@ -85,7 +85,7 @@ EXROutput::EXROutput(const std::string& name)
   if (!this->File)
   {
     throw FileError(vtkErrorCode::CannotOpenFileError,
-      std::string("no file can be made there: ") + std::strerror(errno));
+      std::string("the file cannot be created: ") + std::strerror(errno));
   }
 }
 

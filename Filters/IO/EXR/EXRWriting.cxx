@@ -121,8 +121,8 @@ void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& 
   if (Compressions[settings.Compression] == Imf::DWAA_COMPRESSION && data != sources.end())
   {
     throw FileError(vtkErrorCode::UserError,
-      "Compression DWAA loses what the eye does not see, and channel " + data->Channel +
-        " holds data, not colors; choose ZIP or PIZ.");
+      "Compression DWAA is lossy and only for colors, but channel " + data->Channel +
+        " holds data; choose ZIP or PIZ.");
   }
 }
 
@@ -181,8 +181,8 @@ void WritePixels(
   if (CountBytesOfChunk(header) > std::numeric_limits<std::int32_t>::max())
   {
     throw FileError(vtkErrorCode::UserError,
-      "the image is too wide for the format: the rows that are packed at a time (16 by ZIP, 32 by "
-      "PIZ and DWAA) need more than 2 GiB.");
+      "the image is too wide: a block of rows (16 with ZIP, 32 with PIZ and DWAA) has more than "
+      "2 GiB. Use ZIP, or write parts of the image or fewer channels.");
   }
   const PackingThreads threads;
   Imf::OutputFile file(output, header);
@@ -315,9 +315,9 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
     vtkDataArray* array = data->GetArray(request.Array.c_str());
     if (!array || request.Component < 0 || request.Component >= array->GetNumberOfComponents())
     {
-      Refuse("Channel " + request.Channel + " is to be component " +
+      Refuse("Channel " + request.Channel + " asks for component " +
         std::to_string(request.Component) + " of point array \"" + request.Array +
-        "\", which the input does not have.");
+        "\", but the input has no such array or component; correct AddChannel.");
     }
     sources.push_back(MakeSource(array, request.Component, request.Channel, choices));
   }
@@ -331,7 +331,8 @@ void PlanArray(
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {
-    Refuse("A point array of the input has no name; name it, as its channels need one.");
+    Refuse(
+      "A point array of the input has no name; set its name, from which its channels are named.");
   }
   const auto channels = ComponentChannels(array, array->GetName(), picture);
   for (std::size_t i = 0; i < channels.size(); ++i)
@@ -370,8 +371,8 @@ std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choic
     [](const EXRSource& a, const EXRSource& b) { return a.Channel == b.Channel; });
   if (twice != sources.end())
   {
-    Refuse("Two components would become channel " + twice->Channel +
-      "; AddChannel gives them other names.");
+    Refuse("Two components would be written as channel " + twice->Channel +
+      "; give one of the components another name by AddChannel.");
   }
   return sources;
 }

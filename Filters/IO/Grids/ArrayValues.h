@@ -64,7 +64,7 @@ void DispatchValues(vtkDataArray* array, Function&& function)
   {
     throw std::invalid_argument(std::string("The point array \"") +
       (array->GetName() ? array->GetName() : "") + "\" has " + std::to_string(components) +
-      " components; a grid has one or three. Leave it out, or split it.");
+      " components, but a grid has one or three. Remove the array, or split it.");
   }
   const bool isWide = array->GetDataTypeSize() > 4 || type == VTK_UNSIGNED_INT;
   if (type == VTK_FLOAT)

@@ -27,7 +27,7 @@ std::vector<double> ReadTimes(const std::vector<std::string>& files)
 {
   if (files.empty())
   {
-    throw std::invalid_argument("There is no FileName to read.");
+    throw std::invalid_argument("FileName is not set; set it to the .vdb file to read.");
   }
   std::vector<double> times;
   for (const std::string& name : files)

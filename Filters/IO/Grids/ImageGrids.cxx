@@ -63,7 +63,7 @@ openvdb::GridBase::Ptr CopyLevelSet(vtkImageData* image, vtkDataArray* array)
     std::fabs(spacing[2] - spacing[0]) <= rounding * spacing[0];
   if (array->GetNumberOfComponents() != 1 || !isCubic)
   {
-    throw std::invalid_argument("An image becomes a level set only with one component and equal "
+    throw std::invalid_argument("GridClass LEVEL_SET needs an image of one component and equal "
                                 "spacing along all axes; choose another GridClass.");
   }
   const auto background = static_cast<float>(HalfWidth * spacing[0]);
@@ -111,7 +111,8 @@ openvdb::GridBase::Ptr MakeImageGrid(
 {
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    throw std::invalid_argument("The image has another number of points than its array.");
+    throw std::invalid_argument(
+      "A point array of the image does not have one value for each point.");
   }
   openvdb::GridBase::Ptr grid;
   if (kind == openvdb::GRID_LEVEL_SET)

@@ -110,7 +110,7 @@ vtkSmartPointer<vtkDataArray> Dispatch(
     return Dispatch<Others...>(grid, extent, factor);
   }
   throw std::invalid_argument(
-    "The grid \"" + grid.getName() + "\" of type " + grid.type() + " cannot become an image.");
+    "The grid \"" + grid.getName() + "\" of type " + grid.type() + " cannot be read as an image.");
 }
 
 // Returns the values of every `factor`th voxel in an extent. Throws std::invalid_argument for grids
@@ -228,15 +228,17 @@ std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>&
     const VDBGrid& grid = FindGrid(file, name);
     if (!grid.IsKnown)
     {
-      throw std::invalid_argument("The grid \"" + name + "\" cannot be read: it is of the type " +
-        grid.Type + (grid.Transform ? "." : ", and placed by no linear transform."));
+      throw std::invalid_argument("The grid \"" + name + "\" cannot be read: " +
+        (grid.Transform ? "its type " + grid.Type + " is not supported."
+                        : "its transform is not linear."));
     }
     grids.push_back(grid);
     const bool isPoints = std::string(grid.GetValueType()) == "points";
     if (names.size() > 1 && (isPoints || *grid.Transform != *grids.front().Transform))
     {
       throw std::invalid_argument("The grid \"" + name +
-        "\" cannot be read together with others: they have to be volumes of one transform.");
+        "\" cannot be read together with the other grids, because these are not all volumes with "
+        "the same transform. Choose one grid.");
     }
   }
   return grids;
@@ -323,7 +325,8 @@ openvdb::CoordBBox FindVoxels(const int region[6])
   if (std::any_of(region, region + 6, isFar) || region[0] > region[1] || region[2] > region[3] ||
     region[4] > region[5])
   {
-    throw std::invalid_argument("IndexRegion is empty, or beyond 2^30.");
+    throw std::invalid_argument(
+      "IndexRegion is empty, or beyond 2^30; set each minimum to at most its maximum.");
   }
   return { { region[0], region[2], region[4] }, { region[1], region[3], region[5] } };
 }

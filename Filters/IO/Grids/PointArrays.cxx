@@ -48,8 +48,8 @@ void Check(const Leaf& leaf)
   {
     if (attributes.getConst(i)->size() != CountPoints(leaf))
     {
-      throw std::runtime_error(
-        "The points cannot be read: an attribute has not one value for each point of a leaf.");
+      throw std::runtime_error("The points cannot be read: an attribute does not have one value "
+                               "for each point of a leaf.");
     }
   }
 }
@@ -67,7 +67,7 @@ Leaves CollectLeaves(const PointDataGrid& grid, std::int64_t maximum, std::int64
   if (count > maximum)
   {
     throw std::runtime_error("The grid has " + std::to_string(count) +
-      " points, more than MaximumNumberOfPoints; raise it to read them.");
+      " points, more than MaximumNumberOfPoints; raise the maximum.");
   }
   return leaves;
 }
@@ -129,7 +129,8 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(
       const auto handle = AttributeHandle<Value>::create(leaf.constAttributeArray(attribute));
       if (handle->stride() != stride || !handle->hasConstantStride())
       {
-        throw std::runtime_error("An attribute has another number of values in each point.");
+        throw std::runtime_error("The points cannot be read: an attribute has different numbers of "
+                                 "values in different points.");
       }
       return [=](openvdb::Index i, vtkIdType point)
       {
@@ -199,7 +200,7 @@ void AddAttributes(const Leaves& leaves, std::int64_t count, vtkPointData* data)
     if (!maker)
     {
       throw std::runtime_error("The points' attribute \"" + name + "\" has the type " + type.first +
-        ", which has no array in VTK.");
+        ", which no VTK array can store.");
     }
     const auto array = maker(leaves, position, count);
     array->SetName(name.c_str());

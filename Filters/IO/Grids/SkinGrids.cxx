@@ -94,7 +94,7 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   if (!(voxelSize >= smallest))
   {
     std::ostringstream text;
-    text << "The voxels are of size " << voxelSize << ", and OpenVDB has none below " << smallest
+    text << "The voxel size is " << voxelSize << ", but the smallest of OpenVDB is " << smallest
          << "; scale the scene up.";
     throw std::invalid_argument(text.str());
   }

@@ -41,9 +41,9 @@ void CheckIsClosed(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(
       "The mesh is not closed, so it has no inside: " + std::to_string(mesh.Defects.OddEdges) +
-      " of its edges belong to one polygon only, or to another odd number of them. Close it first "
-      "(vtkFillHolesFilter), or let a vtkActiveImplicitSurface make a shell of it "
-      "(MeshThickness).");
+      " of its edges belong to an odd number of polygons, such as one. Close the mesh by "
+      "vtkFillHolesFilter, or make a shell of it by a vtkActiveImplicitSurface with "
+      "MeshThickness > 0.");
   }
 }
 
@@ -122,8 +122,8 @@ void Content::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState
   auto image = vtkImageData::SafeDownCast(data);
   if (this->Choice.State && !attached)
   {
-    throw std::invalid_argument("WriteState needs an output of a vtkActiveImplicitSurface, from "
-                                "the filter itself; the input carries no state.");
+    throw std::invalid_argument("The input carries no state for WriteState; connect an output of "
+                                "a vtkActiveImplicitSurface, without filters in between.");
   }
   if (attached)
   {
@@ -251,8 +251,8 @@ void Content::AddImage(vtkImageData* image)
 {
   if (this->Choice.Density || this->Choice.Velocity)
   {
-    throw std::invalid_argument("WriteDensity and WriteVelocity need a surface, not an image; its "
-                                "own arrays are written by WritePointArrays.");
+    throw std::invalid_argument("WriteDensity and WriteVelocity need a surface, but the input is "
+                                "an image; turn both off (WritePointArrays writes its arrays).");
   }
   vtkPointData* arrays = image->GetPointData();
   vtkDataArray* scalars = arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);

@@ -203,7 +203,7 @@ void Obstacle::Check() const
     text << "ObstacleFunction is not a number within " << 7.0 * this->VoxelSize << " of ("
          << this->VoxelSize * this->BadLeaf[0] << ", " << this->VoxelSize * this->BadLeaf[1] << ", "
          << this->VoxelSize * this->BadLeaf[2]
-         << "), near the skin; it has to be a number wherever the skin comes.";
+         << "), near the skin; return a number wherever the skin moves.";
     throw std::runtime_error(text.str());
   }
 }

@@ -24,8 +24,8 @@ double Held(double wanted, double start, const char* name)
   const double held = wanted > 0.0 ? wanted : start;
   if (!(held > 0.0) || !std::isfinite(held))
   {
-    throw std::invalid_argument(std::string("There is no ") + name +
-      " to hold: the skin had none at the start; set Target" + name + " to a finite number > 0.");
+    throw std::invalid_argument(std::string(name) + "Control has nothing to conserve, because " +
+      name + " of the initial skin is 0; set Target" + name + " to a finite number > 0.");
   }
   return held;
 }
@@ -117,7 +117,7 @@ void CheckMotion(const Motion& motion)
   Require(motion.Integration == TimeIntegration::Explicit || motion.Tension >= 0.0,
     "The node scheme needs a Tension >= 0.");
   Require(!motion.CreateParts || !motion.Paper,
-    "CreateParts is no part of the paper's scheme; set one of them to false.");
+    "The paper's scheme cannot create parts; set Paper or CreateParts to false.");
 }
 
 void CheckStep(double step, double voxelSize, double remaining)
@@ -131,7 +131,7 @@ void CheckStep(double step, double voxelSize, double remaining)
     text << "The stable time step is " << step << ", ";
     if (isTooOften)
     {
-      text << "more than a million substeps for the " << remaining << " to go";
+      text << "so the remaining time " << remaining << " needs more than a million substeps";
     }
     else
     {
@@ -162,9 +162,9 @@ void CheckBounded(bool isUnbounded, double time)
   if (isUnbounded)
   {
     std::ostringstream text;
-    text << "The potential would not be finite after the substep that begins at the motion time "
-         << time << ", where the skin stays; lower CFL, to 1 at most, set GradientScheme to "
-         << "UPWIND, and Tension to a number >= 0.";
+    text << "The skin stays at the motion time " << time
+         << ", because the potential would not be finite after the next substep. Lower CFL to 1 or "
+         << "less, set GradientScheme to UPWIND, and Tension to a number >= 0.";
     throw std::runtime_error(text.str());
   }
 }

@@ -52,7 +52,7 @@ public:
     static_assert(std::is_trivially_copyable_v<Value>);
     if (count > this->Left / sizeof(Value))
     {
-      throw std::logic_error("Another rank has sent less than this one expects.");
+      throw std::logic_error("Another rank sent fewer bytes than this rank expects.");
     }
     std::vector<Value> values(count);
     if (count > 0)

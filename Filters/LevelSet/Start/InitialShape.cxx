@@ -35,7 +35,7 @@ void CheckSize(const LatticeBox& box, std::size_t maximum)
     text << "The bounds hold " << x << " x " << y << " x " << z << " voxels, too many for "
          << "MaximumNumberOfActiveVoxels = " << maximum
          << ". Enlarge VoxelSize, shrink ModelBounds "
-         << "(without them: is there a particle far from the others?) or raise the maximum.";
+         << "(if not set, remove particles far from all others) or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }

@@ -35,7 +35,7 @@ LatticeBox FindLatticeBox(double voxelSize, const double bounds[6])
     {
       RefuseBounds(bounds,
         "hold more than 10^9 voxels along an axis; enlarge VoxelSize or shrink "
-        "ModelBounds (without them: is there a particle far from the others?).");
+        "ModelBounds (if not set, remove particles far from all others).");
     }
     box.First[axis] = static_cast<int>(std::floor(low + rounding));
     box.Last[axis] = static_cast<int>(std::ceil(high - rounding));

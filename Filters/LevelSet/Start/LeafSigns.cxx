@@ -114,7 +114,7 @@ void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels)
   if (512.0 * leaves > nodesPerActiveVoxel * static_cast<double>(maximumNumberOfActiveVoxels))
   {
     std::ostringstream text;
-    text << "The regions of the shape, and what is inside around them, hold " << 512.0 * leaves
+    text << "The bands around the shape and its inside hold " << 512.0 * leaves
          << " voxels or more, too many for MaximumNumberOfActiveVoxels = "
          << maximumNumberOfActiveVoxels
          << "; enlarge VoxelSize, check that the shape is bounded, or raise the maximum.";

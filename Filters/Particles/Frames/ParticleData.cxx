@@ -154,7 +154,7 @@ vtkDataArray* AsNumbers(vtkAbstractArray* column, vtkTable* table)
   {
     throw std::invalid_argument("The column \"" + GetName(column) +
       "\" of the table cannot give the particles' positions: it has to hold a number in each row. "
-      "A vtkDelimitedTextReader needs DetectNumericColumns.");
+      "With a vtkDelimitedTextReader, turn DetectNumericColumns on.");
   }
   return numbers;
 }
@@ -208,8 +208,8 @@ vtkSmartPointer<vtkPolyData> MakePoints(vtkTable* table)
   const auto positions = std::find_if(groups.begin(), groups.end(), ArePositions);
   if (positions == groups.end())
   {
-    throw std::invalid_argument("The table has no columns x, y and z, or Points:0, Points:1 and "
-                                "Points:2, which particles need; its columns are: " +
+    throw std::invalid_argument("The table has no positions: particles need columns x, y and z, or "
+                                "Points:0, Points:1 and Points:2; its columns are: " +
       ListColumns(table) + ".");
   }
   auto points = vtkSmartPointer<vtkPolyData>::New();
@@ -289,8 +289,8 @@ vtkPointSet* AsParticles(const InputBlock& block)
   {
     throw std::invalid_argument(block.Name + " of the input is no set of particles, but a " +
       block.Data->GetClassName() + (points ? " with other cells than vertices" : "") +
-      "; where several blocks have points, all have to be particles. Extract one block, or merge "
-      "them.");
+      "; if several blocks have points, all have to be particles. Extract one block, or merge "
+      "the blocks.");
   }
   return points;
 }

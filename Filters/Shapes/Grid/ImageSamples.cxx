@@ -47,7 +47,7 @@ vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
     array = FirstArrayOfOneComponent(data);
   }
   const std::string called =
-    name.empty() ? "The image's point scalars" : "The image's point array \"" + name + "\"";
+    name.empty() ? "The image's active point array" : "The image's point array \"" + name + "\"";
   if (!array)
   {
     throw std::invalid_argument(name.empty()
@@ -56,12 +56,12 @@ vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(called + " have " + std::to_string(array->GetNumberOfComponents()) +
-      " components, where one number per pixel is needed; name another by ScalarArrayName.");
+    throw std::invalid_argument(called + " has " + std::to_string(array->GetNumberOfComponents()) +
+      " components, where one number per pixel is needed; set ScalarArrayName to another array.");
   }
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    throw std::invalid_argument(called + " have " + std::to_string(array->GetNumberOfTuples()) +
+    throw std::invalid_argument(called + " has " + std::to_string(array->GetNumberOfTuples()) +
       " values for " + std::to_string(image->GetNumberOfPoints()) + " pixels.");
   }
   return array;

@@ -57,7 +57,7 @@ void CheckMesh(const MeshTriangles& mesh)
   if (mesh.Triangles.empty())
   {
     throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
-        ? "The mesh has no polygon of use. " + mesh.Defects.Describe()
+        ? "The mesh has no valid polygon. " + mesh.Defects.Describe()
         : std::string("The mesh has no polygons, and no strips of triangles."));
   }
   if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -89,8 +89,8 @@ void CheckSize(const MeshTriangles& mesh, double voxelSize, double band, double 
     text << "The distances to the mesh, whose box is " << bounds[1] - bounds[0] << " x "
          << bounds[3] - bounds[2] << " x " << bounds[5] - bounds[4]
          << ", would need more voxels than MaximumNumberOfVoxels = " << maximum
-         << "; move or remove points that are far away, enlarge VoxelSize, which is " << voxelSize
-         << ", reduce Reach or MeshThickness, or raise the maximum.";
+         << "; move or remove points that are far away, enlarge VoxelSize (now " << voxelSize
+         << "), reduce Reach or MeshThickness, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }

@@ -27,8 +27,8 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
   }
   if (!data)
   {
-    throw std::invalid_argument("There is no frame to advance to; where a simulation has no "
-                                "particles, push a vtkPolyData without points.");
+    throw std::invalid_argument("There is no frame to advance to; if a frame has no particles, "
+                                "push a vtkPolyData without points.");
   }
   if (!SurfaceInput::Accepts(SurfaceInput::Target, data))
   {
@@ -37,8 +37,8 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
   }
   if (properties.Settings.IsEquilibrium())
   {
-    throw std::invalid_argument("There is no time to advance in with EvolutionMode EQUILIBRIUM; "
-                                "set it to TRANSIENT, or connect the data as an input.");
+    throw std::invalid_argument("EvolutionMode EQUILIBRIUM has no time to advance in; set "
+                                "EvolutionMode to TRANSIENT, or connect the data as an input.");
   }
 }
 
@@ -89,8 +89,8 @@ double PushedFrames::FindNextTime(const SurfaceProperties& properties, double dt
   if (!std::isfinite(next) || next <= last)
   {
     std::ostringstream text;
-    text << "dt is " << dt << ", which does not lead on from the time of the last frame, " << last
-         << ".";
+    text << "dt is " << dt << ", which added to " << last
+         << ", the time of the last frame, gives no later finite time; change dt.";
     throw std::invalid_argument(text.str());
   }
   return next;

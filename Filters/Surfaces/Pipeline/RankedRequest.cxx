@@ -40,7 +40,7 @@ std::string DescribeRequest(
   text << "the time steps of the input: " << inputs.TargetMoves << inputs.OnlyForward;
   std::for_each(
     inputs.Steps.begin(), inputs.Steps.end(), [&text](double step) { text << " " << step; });
-  text << "\nwhat inputs and functions there are: " << !inputs.TargetFunction
+  text << "\nthe presence of inputs and functions: " << !inputs.TargetFunction
        << !inputs.InitialFunction << !inputs.ObstacleFunction << inputs.HasInitialInput << "\n";
   for (const std::string& array : inputs.Arrays)
   {
@@ -86,7 +86,7 @@ bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
       throw std::invalid_argument("The ranks make one skin together, but rank " +
         std::to_string(rank) + " has another value than rank 0 for " +
         FindDifference(requests[0], requests[1]) +
-        "; set the same on all ranks, or give each its own filter without a Controller.");
+        "; set the same value on all ranks, or set Controller to none on each rank.");
     }
   }
   return areAtOnePlace;

@@ -14,8 +14,8 @@ vtkGridPotential* SurfaceRequests::GetSkinFunction()
   if (skin && skin->GetPart())
   {
     this->Simulation.Warn("function of a part",
-      "GetSkinFunction knows the skin of this rank's part of space and 8 voxels around it, and no "
-      "more. Set OutputPotential on for one that knows all of it on each rank.");
+      "GetSkinFunction covers only this rank's part of space and 8 voxels around this part. Turn "
+      "OutputPotential on for a function of the whole skin on each rank.");
   }
   return this->Outputs.GetSkinFunction(this->Simulation);
 }

@@ -299,7 +299,7 @@ void SurfaceRequests::AgreeOnRequest(
 {
   if (RankedPipeline::HaveInputsFailed(this->Filter))
   {
-    throw std::runtime_error("The input has failed to make its data.");
+    throw std::runtime_error("The update of the input failed.");
   }
   const int port = RequestedPort(request);
   const PipelineTime time = this->FindRequestedTime(output->GetInformationObject(port));
@@ -317,8 +317,8 @@ void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
     !target->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) && !target->Has(SDDP::WHOLE_EXTENT()))
   {
     this->Simulation.Warn("no pieces",
-      "The input does not say that it can make pieces (CAN_HANDLE_PIECE_REQUEST), so it is read on "
-      "the first rank only. If the other ranks have parts of it, publish the key.");
+      "The input does not publish CAN_HANDLE_PIECE_REQUEST, so it is read on rank 0 only. If other "
+      "ranks have parts of the input, publish this key.");
   }
 }
 

@@ -58,8 +58,8 @@ public:
     if (this->Is)
     {
       throw std::logic_error(call +
-        " has been called in an update, by an observer of it; stop the update (AbortExecute) and "
-        "call it afterwards.");
+        " was called by an observer during an update; call it after the update, which AbortExecute "
+        "stops.");
     }
   }
 

@@ -107,14 +107,16 @@ std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   const double time = this->Simulation.GetSettings().GetStep(step).Value;
   if (!mayGoBack)
   {
-    throw std::runtime_error("The input's time " + Format(time) +
-      " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
-      "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
+    throw std::runtime_error("The time step " + Format(time) +
+      " of the input is needed again, but the input provides each time step once "
+      "(NO_PRIOR_TEMPORAL_ACCESS). Request times in ascending order, or set CheckpointInterval to "
+      "1, which stores the skins of earlier times.");
   }
   this->LastUpdateFailed = true;
   if (!this->Target.Update(target, time))
   {
-    throw std::runtime_error("The input has failed to make its time step " + Format(time) + ".");
+    throw std::runtime_error(
+      "The update of the input failed at the time step " + Format(time) + ".");
   }
   this->LastUpdateFailed = false;
   return this->Read(target);

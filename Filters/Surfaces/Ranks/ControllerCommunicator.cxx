@@ -35,7 +35,8 @@ void Check(int isDone)
 {
   if (!isDone)
   {
-    throw std::runtime_error("The ranks cannot reach each other: the controller has failed.");
+    throw std::runtime_error(
+      "The communication between the ranks failed: the Controller reports an error.");
   }
 }
 

@@ -58,7 +58,7 @@ vtkSmartPointer<vtkDataSet> Read(const char* first, std::size_t length)
   reader->Update();
   if (reader->GetErrorCode() != 0)
   {
-    throw std::runtime_error("A piece of the input has come from another rank damaged.");
+    throw std::runtime_error("A piece of the input from another rank has arrived damaged.");
   }
   return reader->GetOutputAsDataSet();
 }
@@ -145,7 +145,7 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
     {
       throw std::invalid_argument(what + " is of one kind on rank " + std::to_string(first) +
         " and of another on rank " + std::to_string(rank) +
-        "; particles, meshes and skeletons, and images cannot be pieces of one input.");
+        "; make all pieces of the input particles, polygons and lines, or images.");
     }
   }
   return kind;

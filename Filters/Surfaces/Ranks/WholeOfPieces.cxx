@@ -177,7 +177,7 @@ vtkSmartPointer<vtkImageData> MakeWholeImage(const Pieces& pieces, const std::st
     {
       throw std::invalid_argument(what +
         ", an image, has another origin, spacing or direction on rank " + std::to_string(rank) +
-        " than on the ranks before; its pieces have to be of one lattice.");
+        " than on a lower rank; place all pieces on one lattice.");
     }
     for (int axis = 0; image && axis < 3; ++axis)
     {
@@ -252,8 +252,8 @@ vtkSmartPointer<vtkDataSet> AssembleImage(const Pieces& pieces, const std::strin
     if (std::find(isKnown.begin(), isKnown.end(), char(0)) != isKnown.end())
     {
       throw std::invalid_argument(what +
-        ", an image, has nodes between the ranks' pieces that no "
-        "rank has; the pieces together have to be a box.");
+        ", an image, has points that are in the piece of no rank; "
+        "make pieces that fill the whole extent.");
     }
     whole->GetPointData()->AddArray(values);
   }

@@ -63,11 +63,11 @@ constexpr double TensionOfSpacing = 1.0 / 2.0;
 // are repeated in the whole margin, so particles at the walls have their neighbours too.
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
-  " takes explicit substeps, which do not carry the skin along with the particles: it may be late, "
-  "and is not smoothed by their spacing. Set TimeIntegration to EXPLICIT if that is meant.";
+  " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
+  "over their spacing. If this is meant, set TimeIntegration to EXPLICIT.";
 constexpr char NoSkinOnNodes[] =
-  "The particles have no surface that the voxels can hold, or the obstacle covers it, so there is "
-  "no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";
+  "The particles have no surface that the voxels can resolve, or the obstacle covers it, so there "
+  "is no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";
 
 }
 

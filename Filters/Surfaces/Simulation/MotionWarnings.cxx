@@ -15,17 +15,20 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << (end.MayComeBack ? "; it comes back where the target does."
-                             : "; it does not come back. Does the target meet the initial shape?");
+         << (end.MayComeBack
+                ? "; it reappears where the target does."
+                : "; it does not reappear. Check that target and initial shape overlap.");
     messages.Say("vanished", text.str());
   }
   if (report.Substeps > 0 && report.UniformPulls == report.Substeps)
   {
     std::ostringstream text;
-    text << "Before the motion time " << time.Value
-         << " the target attracted the skin inward at the same speed everywhere, which EXACT "
-         << "cancels, so the skin did not move towards it: the target lies outside of the skin, or "
-         << "farther inside than TargetReach. Does the target meet the initial shape?";
+    text
+      << "Before the motion time " << time.Value
+      << " the target attracted the skin inward at the same speed everywhere. VolumeControl or "
+      << "AreaControl EXACT cancels such an attraction, so the skin did not approach the target, "
+      << "which is outside the skin, or farther inside than TargetReach. Check that target and "
+      << "initial shape overlap.";
     messages.Say("cancelled attraction", text.str());
   }
   if (report.DroppedSamples > 0)
@@ -61,7 +64,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")
        << (outside.Law.CreateParts ? "" : ", turn CreateParts on")
        << (outside.Law.Tension > 0.0 ? ", lower Tension" : "")
-       << ", make VoxelSize smaller, or the time from step to step shorter.";
+       << ", reduce VoxelSize, or shorten the time between time steps.";
   messages.Say("outside", text.str());
 }
 
@@ -83,17 +86,18 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
   {
     if (report.MovingShare > SteadyStateCriterion::FewMoving)
     {
-      text << std::setprecision(2) << 100.0 * report.MovingShare
-           << " % of the skin does not settle: it oscillates by " << report.MovingDistance
-           << " voxels on the average, because the target has edges or steps that Tension and the "
-           << "lattice cannot hold. Use a distance or a smooth image as target, lower Tension, or "
-           << "set TargetNoise to the size of the steps.";
+      text
+        << std::setprecision(2) << 100.0 * report.MovingShare
+        << " % of the skin does not settle: it oscillates by " << report.MovingDistance
+        << " voxels on average, because the target has edges or steps that Tension smooths or the "
+        << "lattice cannot resolve. Use a distance or a smooth image as target, lower Tension, or "
+        << "set TargetNoise to the size of the steps.";
       messages.Say("no rest", text.str());
     }
     return;
   }
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
-       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance;
+       << report.SurfaceSpeed << " voxels per time, RestTolerance is " << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
     text << ", and " << std::setprecision(2) << 100.0 * report.MovingShare

@@ -54,8 +54,8 @@ void SurfaceSimulation::RestoreLoaded()
   if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
-      "The loaded state is not one of this surface: its time is not a time step, or VoxelSize "
-      "or the place of the data differs. Set the properties that it was saved with.");
+      "The loaded state does not fit this surface: its time is not a time step, or its VoxelSize "
+      "or the position of its data differs. Set the properties with which the state was saved.");
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);

@@ -60,7 +60,7 @@ SavedState ReadState(const std::string& file)
     const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(FindSavedGrid(file));
     if (!grid)
     {
-      throw std::runtime_error("its grid potential is not one of floats");
+      throw std::runtime_error("the values of its grid are not floats");
     }
     return ReadSavedGrid(*grid);
   }
@@ -69,7 +69,7 @@ SavedState ReadState(const std::string& file)
     std::string reason = error.what();
     reason.erase(reason.find_last_not_of('.') + 1);
     throw std::runtime_error("The file " + file + " holds no state of a surface: " + reason +
-      "; it has to be one that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
+      "; load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }
 

@@ -52,7 +52,7 @@ void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
       std::ostringstream text;
       text << "PeriodicBounds is " << length << " long along "
            << "xyz"[axis] << ", less than four voxels of " << voxelSize
-           << "; enlarge it, or make VoxelSize or ParticleSpacing smaller.";
+           << "; enlarge PeriodicBounds, or reduce VoxelSize or ParticleSpacing.";
       throw std::invalid_argument(text.str());
     }
   }
@@ -81,10 +81,10 @@ SurfaceDomain MakeDomainOf(
   if (domain.VoxelSize != 0.0 && !isLength)
   {
     std::ostringstream text;
-    text << "VoxelSize, which is not set, would be " << domain.VoxelSize
+    text << "The automatic VoxelSize is " << domain.VoxelSize
          << ", half of the particles' spacing, or a 64th of the longest side of ModelBounds or of "
-         << "the target; it has to be between " << ranges::ShortestLength << " and "
-         << ranges::LongestLength << ".";
+         << "the target, but has to be between " << ranges::ShortestLength << " and "
+         << ranges::LongestLength << "; scale the data, or set VoxelSize.";
     throw std::invalid_argument(text.str());
   }
   if (particleSpacing > 0.0)

@@ -256,8 +256,8 @@ void SurfaceSettings::Check() const
     "numbers; make one of them PENALTY.");
   Require(!this->Particles.ArePeriodic() ||
       (this->Law.VolumeControl == Control::None && this->Law.AreaControl == Control::None),
-    "VolumeControl and AreaControl cannot hold a skin in a periodic box, across whose sides it "
-    "goes; turn them off, or unset PeriodicBounds.");
+    "VolumeControl and AreaControl need a skin that ends within the box, but PeriodicBounds "
+    "continues the skin across the sides; set both controls to NONE, or unset PeriodicBounds.");
   Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
     "ArrivalTime needs a target that stands still, but the input has time steps; set ArrivalTime "
     "to 0, or give one time step of the input.");
@@ -270,7 +270,8 @@ void SurfaceSettings::Check() const
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "
     "the input.");
   Require(std::isfinite(this->GetArrival().Value),
-    "The motion time of the arrival, TimeScale * ArrivalTime, has to be finite.");
+    "The motion time of the arrival, TimeScale * ArrivalTime, has to be finite; lower "
+    "TimeScale or ArrivalTime.");
 }
 
 }

@@ -17,9 +17,9 @@ namespace
 {
 
 constexpr const char* NothingToStartOn =
-  "There are no particles, and nothing else, at the first time step, so there is no skin, now or "
-  "later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, with "
-  "CreateParts on; or set an initial shape.";
+  "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
+  "begins when particles appear, set ModelBounds or ParticleSpacing and turn CreateParts on; or "
+  "set an initial shape.";
 
 }
 

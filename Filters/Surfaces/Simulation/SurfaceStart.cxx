@@ -17,11 +17,11 @@ constexpr char CoveredStart[] =
   "The obstacle covers the initial shape, so there is no skin; check that ObstacleFunction is "
   "negative only inside the obstacle.";
 constexpr char StartWithoutSurface[] =
-  "The initial shape, or the target where there is none, has no surface within the bounds, or none "
-  "that the voxels can hold, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";
+  "The initial shape (by default the target) has no surface within the bounds, or none that the "
+  "voxels can resolve, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";
 constexpr char StartWithoutNumbers[] =
-  "The initial shape is not a finite number anywhere within the bounds, so there is no skin; check "
-  "the initial shape, or the target where there is none.";
+  "The initial shape (by default the target) is not a finite number anywhere within the bounds, so "
+  "there is no skin; check its values.";
 
 double FindMargin(const SurfaceStart& start)
 {

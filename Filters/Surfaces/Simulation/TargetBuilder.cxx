@@ -175,8 +175,9 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   preparation.When = this->DescribeStep(step);
   // A level of a mesh needs distances on both sides of that level.
   preparation.Reach = preparation.Options.Level.Reach + std::fabs(this->Settings.IsoValue);
-  preparation.MeshHint = " (Its Reach is TargetReach and the size of TargetIsoValue together, its "
-                         "maximum ten times MaximumNumberOfActiveVoxels.)";
+  preparation.MeshHint =
+    " (Reach is here TargetReach plus the absolute value of TargetIsoValue, and "
+    "the maximum is ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
   this->Report("flaw of the target", PrepareShape(shape, preparation, where));
@@ -204,7 +205,7 @@ void TargetBuilder::PrepareInitial()
 {
   ShapePreparation preparation = this->GetPreparation();
   preparation.Reach = InitialReach * this->Domain.VoxelSize;
-  preparation.MeshHint = " (Its maximum is ten times MaximumNumberOfActiveVoxels.)";
+  preparation.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
     PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: "));
 }

@@ -154,8 +154,8 @@ std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
   std::ostringstream text;
   text << "Its values are from " << counts.Low << " to " << counts.High << ", and inside is "
        << (level.Invert ? "above " : "below ") << level.IsoValue
-       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above it. Of "
-       << "several labels choose one, by a threshold (vtkImageThreshold).";
+       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above it. If "
+       << "the values are labels, choose one label by vtkImageThreshold.";
   return text.str();
 }
 

@@ -72,8 +72,8 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
   const std::string defects = grid->GetDefects();
   return defects.empty() || thickness != 0.0 ? defects
                                              : defects +
-      " Its holes are closed from rim to rim, by winding numbers; at a seam, merge the points "
-      "(vtkCleanPolyData); of a mesh that is meant to be open, a MeshThickness > 0 makes a shell.";
+      " Holes are closed by winding numbers. If the open edges are a seam, merge the points "
+      "(vtkCleanPolyData). If the mesh is meant to be open, set MeshThickness > 0 for a shell.";
 }
 
 // Returns an empty string for a level other than 0, where the thickness of parts differs.

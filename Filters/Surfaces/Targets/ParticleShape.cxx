@@ -83,7 +83,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
     preparation.Report("ignored particles",
       std::to_string(count) + (count > 1 ? " particles are" : " particle is") + " left out " +
         preparation.When +
-        ": coordinates, radius or strength are not finite, or the radius is not > 0.");
+        " because coordinates, radius or strength are not finite, or the radius is not > 0.");
   }
   preparation.GiveRadius(preparation.Options.Model, this->Particles);
   return "";

@@ -82,9 +82,9 @@ void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame&
   }
   if (this->EstimatedSpacing == 0.0)
   {
-    throw std::invalid_argument("The particles' spacing cannot be estimated, as no two of them are "
-                                "apart; set ParticleSpacing or KernelRadius, or choose a radius "
-                                "array.");
+    throw std::invalid_argument("The particles' spacing cannot be estimated, because all particles "
+                                "are at one point; set ParticleSpacing or KernelRadius, or choose "
+                                "an array of radii.");
   }
   this->ReportSpacing(frame.HasRadii);
 }
@@ -96,9 +96,9 @@ void ShapePreparation::ReportSpacing(bool haveRadii) const
     return;
   }
   std::ostringstream text;
-  text << "Neither ParticleSpacing nor KernelRadius is set; a ParticleSpacing of "
-       << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
-       << "silence this.";
+  text << "Neither ParticleSpacing nor KernelRadius is set, so a ParticleSpacing of "
+       << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set "
+       << "ParticleSpacing to silence this message.";
   this->Note("spacing", text.str());
 }
 

@@ -128,8 +128,8 @@ std::string SkeletonShape::Prepare(ShapePreparation& preparation)
   this->Function = skeleton;
   return ignored == 0 ? ""
                       : std::to_string(ignored) +
-      " points or segments are left out: a coordinate, radius or strength is not finite, the "
-      "radius is not > 0, or the point does not exist.";
+      " points or segments are left out because a coordinate, radius or strength is not finite, "
+      "a radius is not > 0, or a point does not exist.";
 }
 
 void SkeletonShape::MoveBy(const double offset[3])

@@ -52,9 +52,9 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
 std::string TargetFrames::DescribeMatches() const
 {
   return this->Matches.AreShuffled
-    ? "The particles have no ids, and come in another order in each time step: they cannot be "
-      "matched, so they fade out and in, and nothing moves with them. Choose their array of ids by "
-      "SetInputArrayToProcess(1, ...)."
+    ? "The particles have no ids, and their order differs between time steps, so the filter cannot "
+      "match particles: they fade out and in, and the skin does not move with them. Choose an "
+      "array of ids by SetInputArrayToProcess(1, ...)."
     : "";
 }
 

@@ -116,7 +116,7 @@ def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], 
     def load_with_note(step: int) -> Any:
         data = load(step)
         if data.GetNumberOfPoints() == 0:
-            warn(f"Nothing meets {where} in frame {step + 1}, which is empty.")
+            warn(f"Frame {step + 1} is empty: nothing in it meets {where}.")
         return data
 
     return load_with_note
@@ -207,7 +207,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         if suffix_of(file) != ".vdb":
             level, above = usual_level(image, options.level)
             if above and options.level is not None:
-                warn(f"Inside is above {level:g}, as most of the border of the image is below.")
+                warn(f"Inside is above {level:g}, because most of the image's border is below.")
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
         level = level if options.level is None else options.level

@@ -103,7 +103,9 @@ def check_effects(
                 where = " or ".join(map(_phrase, row.split()))
                 parser.error(f"{option} has no effect here: it acts {where}")
     if idle:
-        text = f"No effect on one frame: {', '.join(idle)}; give a series, or leave it out."
+        text = (
+            f"No effect on one frame: {', '.join(idle)}; give a series, or leave these options out."
+        )
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=2)
 
 

@@ -91,7 +91,7 @@ def describe(
         shape = choose(shape, where, label)
         return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
     if suffix not in PARTICLE_SUFFIXES:
-        raise OSError(f"{files[0]}: info knows {', '.join(INPUT_SUFFIXES)}, .exr.")
+        raise OSError(f"{files[0]}: info reads {', '.join(INPUT_SUFFIXES)}, .exr.")
     return _describe_particles(open_particles(names, where=where, label=label), files)
 
 
@@ -184,7 +184,7 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
     for file, *parts in frames:
         mesh = choose(read_shape(file, parts=parts), where, note=note)
         if mesh.IsA("vtkImageData"):
-            raise OSError(f"{file} is an image: meshes are measured.")
+            raise OSError(f"{file} is an image, but only meshes are measured; leave it out.")
         found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})
     return found
 

@@ -36,7 +36,7 @@ def run(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
     if options.frames < 2:
-        parser.error("frames are 2 at least, the first shape and the last")
+        parser.error("--frames has to be 2 or more: the first and the last shape")
     options.files = [Path(name).expanduser() for name in (options.first, options.last)]
     shapes = [read_shape(file) for file in options.files]
     for own in each_label(options, lambda: labels_of(shapes[0]), True, _DEFAULT):

@@ -97,7 +97,7 @@ class Outputs:
         except ValueError as error:
             parser.error(str(error))
         if index not in (None, "none") and suffix_of(index) not in INDEX_SUFFIXES:
-            parser.error(f"an index is a .pvd or a .series, or none, not {index}")
+            parser.error(f"--index has to be a .pvd, a .series or none, not {index}")
 
     def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
         """Chooses the names of frames of these numbers, and makes their folders."""

@@ -124,12 +124,13 @@ class Resumption(Sink):
             before, now = then.get(name), self.description.get(name)
             if before != now:
                 raise ValueError(
-                    f"The skins so far were made {_with(name, before)}, further ones would be made "
-                    f"{_with(name, now)}; run without --resume to make all skins again."
+                    f"The skins so far were made {_with(name, before)}, but further skins would be "
+                    f"made {_with(name, now)}; run without --resume to make all skins again."
                 )
         if past != times:
             raise ValueError(
-                "The frames so far had other times; run without --resume to make all skins again."
+                "The times of the frames differ from those of the skins so far; run without "
+                "--resume to make all skins again."
             )
 
     def _compare_files(self, then: list[list[Any]]) -> None:

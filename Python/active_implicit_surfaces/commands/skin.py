@@ -122,7 +122,9 @@ def _plan(options: Any, files: ParticleFiles) -> _Plan:
     ]
     if not wanted:
         own = f"{files.numbers[0]} to {files.numbers[-1]}"
-        raise ValueError(f"No frame is in --frames {first}:{last}:{stride}; there are {own}.")
+        raise ValueError(
+            f"--frames {first}:{last}:{stride} selects no frame; the frames are {own}."
+        )
     before = range(wanted[0] - stride * (options.preroll or 0), wanted[0], stride)
     steps = [*(step for step in before if step >= 0), *wanted]
     if not options.output_fps:

@@ -158,7 +158,7 @@ TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
   ASSERT_NE(unpacked, std::string::npos);
   const std::string stored = bytes.substr(unpacked - sizeof(std::int32_t), sizeof(std::int32_t));
   ++bytes[bytes.rfind(stored)];
-  CheckRefused(bytes, "packed values are of another size");
+  CheckRefused(bytes, "compressed values have a wrong size");
 }
 
 // Uncompressed points are in no page, unlike those of other files.

@@ -251,7 +251,7 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   std::vector<char> changed = bytes;
   changed[4] = 3;
   WriteBytes(bad, changed);
-  refuse(bad, vtkErrorCode::FileFormatError, "version of the format");
+  refuse(bad, vtkErrorCode::FileFormatError, "version of the EXR format");
   changed = bytes;
   const std::string type = "box2i";
   *std::search(changed.begin(), changed.end(), type.begin(), type.end()) = 'B';

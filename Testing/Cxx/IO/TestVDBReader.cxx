@@ -379,7 +379,7 @@ TEST(TestVDBReader, WhatIsNoFileIsAnError)
   }
   reader->ClearFileNames();
   reader->Update();
-  EXPECT_TRUE(errors.Has("no FileName")) << errors.GetLastError();
+  EXPECT_TRUE(errors.Has("FileName is not set")) << errors.GetLastError();
 }
 
 }

@@ -224,7 +224,7 @@ TEST(TestVDBWriter, AnInputThatFailsLeavesTheFilesBefore)
   writer->WriteAllTimeStepsOn();
   const MessageCapture errors(writer);
   EXPECT_EQ(writer->Write(), 0) << "fails";
-  EXPECT_TRUE(errors.Has("input has failed")) << errors.GetLastError();
+  EXPECT_TRUE(errors.Has("update of the input failed")) << errors.GetLastError();
   EXPECT_TRUE(writer->GetErrorCode() != vtkErrorCode::NoError) << "code";
   EXPECT_GT(CountFiles(folder), 0u) << "files before";
   EXPECT_LT(CountFiles(folder), 5u) << "files after";
@@ -242,7 +242,7 @@ TEST(TestVDBWriter, WhatCannotBeWrittenIsAnErrorAndNoFile)
     EXPECT_TRUE(errors.Has(words)) << errors.GetLastError();
     EXPECT_TRUE(writer->GetErrorCode() != vtkErrorCode::NoError) << "code";
   };
-  refuses("", "no FileName");
+  refuses("", "FileName is not set");
   refuses(folder + "none/a.vdb", "cannot be written");
   refuses(folder, "folder");
   refuses("/proc/a.vdb", "cannot be written");

@@ -47,11 +47,11 @@ TEST(TestGridInput, InputOfNoUseIsOneError)
   expect(vtkNew<vtkUnstructuredGrid>(), "A vtkUnstructuredGrid");
   expect(vtkNew<vtkImageData>(), "is empty");
   expect(MakeSmallImage(4, 1, 4), "is flat");
-  expect(MakeSmallImage(4, 4, 4, 3), "have 3 components");
+  expect(MakeSmallImage(4, 4, 4, 3), "has 3 components");
   expect(MakeSmallImage(4, 4, 4), "\"absent\" is missing", "absent");
   auto image = MakeSmallImage(4, 4, 4);
   image->GetPointData()->GetScalars()->Resize(10);
-  expect(image, "have 10 values for 64 pixels");
+  expect(image, "has 10 values for 64 pixels");
   image = MakeSmallImage(4, 4, 4);
   image->GetPointData()->Initialize();
   expect(image, "no numeric point array");
@@ -90,7 +90,9 @@ TEST(TestGridInput, ErrorsCanBeKeptQuiet)
   vtkNew<vtkGridPotential> potential;
   const MessageCapture messages(potential);
   EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 1.0) << "no input";
-  EXPECT_EQ(std::string(potential->GetError()), "There is no input.") << "GetError";
+  EXPECT_EQ(
+    std::string(potential->GetError()), "There is no input; connect an image or a closed mesh.")
+    << "GetError";
   potential->SetReportErrors(false);
   potential->SetInput(MakeSmallImage(4, 4, 1));
   EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 1.0) << "flat";

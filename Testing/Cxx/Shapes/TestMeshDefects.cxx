@@ -127,10 +127,10 @@ TEST(TestMeshDefects, MeshesOfNoUseAreOneError)
   };
   expect(vtkNew<vtkPolyData>(), "has no polygons");
   expect(MakeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, {}), "has no polygons");
-  expect(MakeMesh({ { 0.0, 0.0, NaN }, { 1.0, 0.0, 0.0 } }, { { 0, 1, 1 } }), "no polygon of use");
+  expect(MakeMesh({ { 0.0, 0.0, NaN }, { 1.0, 0.0, 0.0 } }, { { 0, 1, 1 } }), "no valid polygon");
   vtkNew<vtkPolyData> noPoints;
   noPoints->SetPolys(MakeMesh({}, { { 0, 1, 2 } })->GetPolys());
-  expect(noPoints, "no polygon of use");
+  expect(noPoints, "no valid polygon");
 }
 
 TEST(TestMeshDefects, LatticesTooLargeAreRefused)

@@ -292,7 +292,7 @@ TEST(TestParticleModels, LinesAreRefused)
   Choose(potential);
   MessageCapture messages(potential);
   EXPECT_EQ(ValueAt(potential, { 0, 0, 0 }), 0.5);
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "Lines can only be a SUM"), 1);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "Lines need ParticleModel SUM"), 1);
 }
 
 TEST(TestParticleModels, OneIsRound)

@@ -335,7 +335,7 @@ TEST(TestSkeletonInput, AnErrorLeavesNoElements)
   const MessageCapture messages(potential);
   double bounds[6];
   EXPECT_FALSE(potential->GetSkeletonBounds(bounds)) << "bounds";
-  EXPECT_TRUE(messages.Has("Lines can only be a SUM")) << messages.GetLastError();
+  EXPECT_TRUE(messages.Has("Lines need ParticleModel SUM")) << messages.GetLastError();
 }
 
 TEST(TestSkeletonInput, MovingElementsNeedNoMemory)

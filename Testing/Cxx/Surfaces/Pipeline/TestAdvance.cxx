@@ -216,7 +216,7 @@ TEST(TestAdvance, WhatIsNoFrameIsRefused)
   }
   Refuses([](vtkActiveImplicitSurface* filter)
     { EXPECT_FALSE(filter->Advance(MakeFrame(2.0), 1e-20)); },
-    "dt is 1e-20, which does not lead on from the time of the last frame, 1");
+    "dt is 1e-20, which added to 1, the time of the last frame, gives no later finite time");
   Refuses([](vtkActiveImplicitSurface* filter) { EXPECT_FALSE(filter->Advance(nullptr, 1.0)); },
     "There is no frame to advance to");
   vtkNew<vtkMolecule> molecule;

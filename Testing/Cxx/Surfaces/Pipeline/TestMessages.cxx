@@ -301,7 +301,8 @@ TEST(TestMessages, InputThatFailsIsAnError)
   auto filter = MakeSkinOver(source);
   MessageCapture messages(filter);
   filter->UpdateTimeStep(3.0);
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "input has failed to make its time step 2"), 1)
+  EXPECT_EQ(
+    MessageCapture::Count(messages.Errors, "update of the input failed at the time step 2"), 1)
     << "errors";
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
   source->SetFailingExecution(-1);
@@ -332,7 +333,7 @@ TEST(TestMessages, NoParticlesAreAWarning)
   filter->UpdateTimeStep(0.0);
   filter->UpdateTimeStep(0.5);
   filter->UpdateTimeStep(0.75);
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "There are no particles"), 1) << "warnings";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "The target is empty"), 1) << "warnings";
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
   EXPECT_TRUE(filter->GetOutput()->GetPoints() != nullptr) << "the output is valid";
 }

@@ -226,11 +226,11 @@ TEST(TestParticleInputs, ThreeColumnsOfAVectorAreOne)
 
 TEST(TestParticleInputs, TablesWithoutPositionsAreErrors)
 {
-  Refuses(vtkNew<vtkTable>(), "The table has no columns x, y and z");
+  Refuses(vtkNew<vtkTable>(), "The table has no positions: particles need columns x, y and z");
   auto table = MakeTable(Drops(), { "x", "y", "w" });
   Refuses(table, "its columns are: id, w, x, y, heat.");
   table->RemoveColumnByName("w");
-  Refuses(table, "The table has no columns x, y and z");
+  Refuses(table, "The table has no positions: particles need columns x, y and z");
   vtkNew<vtkStringArray> text;
   text->SetName("z");
   text->SetNumberOfValues(3);

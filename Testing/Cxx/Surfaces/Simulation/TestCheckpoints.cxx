@@ -276,7 +276,7 @@ TEST(TestCheckpoints, StatesThatDoNotFitAreRefused)
   MessageCapture complaints(other);
   other->LoadState(file.c_str());
   GetBytesAt(other, 1.0);
-  EXPECT_EQ(MessageCapture::Count(complaints.Errors, "not one of this surface"), 1)
+  EXPECT_EQ(MessageCapture::Count(complaints.Errors, "does not fit this surface"), 1)
     << "other voxels";
 }
 

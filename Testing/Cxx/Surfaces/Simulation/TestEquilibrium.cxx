@@ -153,7 +153,7 @@ TEST(TestEquilibrium, TooFewSubstepsAreAWarning)
     filter->Update();
     const std::string words = "not at rest after " + std::to_string(substeps) + " substeps";
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, words), 1) << "warnings, " << words;
-    EXPECT_EQ(MessageCapture::Count(messages.Warnings, "RestTolerance 0.001"), 1)
+    EXPECT_EQ(MessageCapture::Count(messages.Warnings, "RestTolerance is 0.001"), 1)
       << "its tolerance";
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, " % of it"), 0) << "no window has ended";
     EXPECT_EQ(messages.CountAll(), 1u) << "messages";

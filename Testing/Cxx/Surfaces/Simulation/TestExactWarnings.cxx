@@ -17,7 +17,7 @@ namespace TestExactWarnings
 namespace
 {
 
-constexpr const char* Words = "Does the target meet the initial shape?";
+constexpr const char* Words = "Check that target and initial shape overlap.";
 
 vtkSmartPointer<vtkSphere> MakeSphere(double x, double radius)
 {

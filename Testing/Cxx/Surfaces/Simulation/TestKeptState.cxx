@@ -180,7 +180,7 @@ TEST(TestKeptState, InputThatFailsKeepsTheLastStep)
   auto source = MakeMovingBall();
   auto filter = MakeSkinOver(source);
   source->SetFailingExecution(3);
-  Fails(filter, 4.0, "input has failed to make its time step 3");
+  Fails(filter, 4.0, "update of the input failed at the time step 3");
   EXPECT_EQ(source->GetExecutions(), "0 1 2 3 ") << "times asked for";
   source->SetFailingExecution(-1);
   const std::string bytes = GetBytesAt(filter, 4.0);

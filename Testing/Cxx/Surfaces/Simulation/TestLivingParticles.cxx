@@ -222,7 +222,7 @@ TEST(TestLivingParticles, SkinThatHasVanishedComesBackWithParticles)
   auto filter = MakePlainSkin(leaving);
   MessageCapture messages(filter);
   EXPECT_EQ(CountParts(filter, 2.0), 0);
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "it comes back where the target does"), 1);
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "it reappears where the target does"), 1);
   EXPECT_EQ(CountParts(filter, 3.0), 1);
   EXPECT_EQ(messages.CountAll(), 1u);
 }
