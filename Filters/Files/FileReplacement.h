@@ -1,5 +1,5 @@
-// Writes a file completely or not at all: under a temporary name in the same folder, which is
-// renamed on success.
+// Writes a file completely or not at all: writes to a temporary file in the same folder, and
+// renames the temporary file on success.
 //
 //   FileReplacement file("a.vdb");
 //   write to file.GetTemporaryName(), throw if that fails

@@ -14,8 +14,8 @@ namespace activesurface
 /** Name of the grid. */
 constexpr const char* SavedGridName = "potential";
 
-/** Returns the band's grid (NarrowBandGrid.h) with the other values as metadata. The history has
- * a line for each row. Numbers are hexadecimal, so none is rounded. */
+/** Returns the band's grid (NarrowBandGrid.h) with the other values of the state as metadata. Each
+ * row of the history is a line of text. Numbers are hexadecimal, so no number is rounded. */
 ACTIVEFILES_EXPORT openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state);
 
 /** Throws std::runtime_error for a grid that is not a saved state. */

@@ -1,6 +1,6 @@
 /**
- * The state of a surface at a time step, to resume from. SavedGrid.h converts it to a grid for
- * files.
+ * The state of a surface at a time step, from which a motion can resume. SavedGrid.h converts this
+ * state to a grid for files.
  */
 #ifndef SavedState_h
 #define SavedState_h

@@ -23,7 +23,7 @@ namespace
 {
 
 /** Opens an openvdb::io::File without delayed loading, so that its grids are independent of the
- * file. Later versions have no delayed loading. */
+ * file. Later versions of OpenVDB have no delayed loading. */
 template <class File>
 auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
 {

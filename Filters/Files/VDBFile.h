@@ -1,10 +1,11 @@
 /**
  * Validates a .vdb file before OpenVDB reads it.
  *
- * OpenVDB's reader trusts the file: a flipped bit may make it allocate any amount of memory, loop
- * for hours or read beyond its arrays. Validation checks every size field first, down to the last
- * leaf. It builds no tree: it reads all masks and skips the values. A valid file is then read
- * without fault for any values, and memory stays within a few hundred times the file size.
+ * OpenVDB's reader trusts the file: a flipped bit may make the reader allocate any amount of
+ * memory, loop for hours or read beyond its arrays. Validation checks every size field first, down
+ * to the last leaf. Validation builds no tree: it reads all masks and skips the values. OpenVDB
+ * then reads the file without fault, whatever its values are, and needs at most a few hundred times
+ * the file size of memory.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -50,15 +51,15 @@ struct VDBFile
 };
 
 /**
- * Validates a file and lists its grids. Without trees only the first bytes are read, if OpenVDB's
- * io::File has written the file. Throws std::runtime_error for a file that is missing, damaged, or
- * older than OpenVDB 2 (version 222 of the format). The message names the file.
+ * Validates a file and lists its grids. If `trees` is false and OpenVDB's io::File has written the
+ * file, only the first bytes are read. Throws std::runtime_error for a file that is missing,
+ * damaged, or older than OpenVDB 2 (version 222 of the format). The message names the file.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
 /**
- * Reads a grid of a file that was validated with its trees. If the grid can be clipped, only leaves
- * that meet the box [world] are read. Throws std::runtime_error.
+ * Reads a grid of a file that was validated with its trees. If a box [world] is given and the grid
+ * can be clipped, reads only the leaves that meet the box. Throws std::runtime_error.
  */
 ACTIVEFILES_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);

@@ -136,8 +136,8 @@ bool IsFirstRank(vtkMultiProcessController* controller)
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-// Collective. Runs a part of the writing on each rank. Throws on all ranks if it has failed on one
-// of them. Every rank has to call it the same number of times.
+// Collective. Runs a part of the writing on each rank. Throws on all ranks if the part has failed
+// on one rank. Every rank has to call this function the same number of times.
 template <class Task>
 void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
 {

@@ -48,7 +48,7 @@ bool HasVertices(const LeafTable& table, std::size_t i)
 }
 
 /** Numbers the vertices of all ranks in the order of the tree. Each rank counts the vertices of a
- * range of leaves, which any rank may own. */
+ * range of leaves; these leaves may belong to any rank. */
 class VertexCount
 {
 public:

@@ -45,9 +45,9 @@ struct BandPart
 std::shared_ptr<const BandPart> CountTogether(
   const LeafTable& table, const std::shared_ptr<const Domain>& space);
 
-/** Returns the number of each vertex of a table in the whole skin. The number is -1 in leaves far
- * from this rank's own, and on edges that the owner of the leaf does not have. part: null if the
- * table is whole. */
+/** Returns, for each vertex of a table, its number in the whole skin. The number is -1 in leaves
+ * far from this rank's own leaves, and on edges that are not crossed in the owner's copy of the
+ * leaf. part: null if the table is whole. */
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
 
 }

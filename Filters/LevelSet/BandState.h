@@ -51,8 +51,8 @@ struct BandState
   void MakeEmpty();
   /** Starts an empty surface at a time. bounds: only their size is used. */
   void Reset(double time, const double bounds[6]);
-  /** Replaces the potential. The layers follow from the signs; in the paper's band, from the active
-   * masks. */
+  /** Replaces the potential. The layers are derived from the signs; in the paper's scheme, from the
+   * active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential; ghosts follow from its active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
@@ -83,8 +83,8 @@ struct BandState
   /** Makes one substep of any length; the report's SurfaceSpeed is its measured speed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
-  /** Clips the surface at walls and obstacle, between motions. The surface counts as just started.
-   */
+  /** Clips the surface at walls and obstacle, between motions. Area and volume are measured again,
+   * and count as the values at the start. */
   void Confine(const Walls& walls, Obstacle* obstacle);
 
   /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels. */

@@ -24,8 +24,8 @@ namespace
 tbb::task_arena& FindArena(int threads);
 
 /**
- * Keeps the arenas of each thread, one for each number of workers: TBB (2021.8) leaks 7 kB per
- * arena that workers have joined.
+ * Returns an arena that is kept for each thread and each number of workers: TBB (2021.8) leaks 7 kB
+ * for each deleted arena that workers had joined.
  */
 tbb::task_arena& FindArena(int threads)
 {
@@ -167,8 +167,8 @@ bool MayBegin(const Motion& motion, const Target& target)
   return motion.CreateParts && target.HasRegions() && motion.Attraction > 0.0;
 }
 
-/** Calls substep() until it returns false, or the surface has vanished and cannot reappear. Leaves
- * the band in the state after the last finished substep. */
+/** Calls substep() until substep() returns false, or the surface has vanished and cannot reappear.
+ * Leaves the band in the state after the last finished substep. */
 template <class Substep>
 void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const AdvanceReport& report,
   Substep&& substep)

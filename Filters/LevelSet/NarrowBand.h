@@ -17,9 +17,9 @@
  * Layer 0 consists of the corners of the voxels that the surface crosses, layer m of the
  * 6-neighbours of layer m - 1. Layers 0..2 are active in the grid. Layers 3 and 4 are ghosts:
  * inactive values in the same leaves, extrapolated from inside after every substep. A ghost whose
- * whole stencil lies in the layers, at a medial axis, is a "pocket" and active too. All other nodes
- * are + or - Far; only their sign has a meaning. Inside the layers the gradient norm of u is about
- * 0.5 to 1.5; output distances are u divided by this norm.
+ * whole stencil lies in the layers, at a medial axis, is a "pocket"; pockets are active. All other
+ * nodes are + or - Far; only their sign has a meaning. Inside the layers the gradient norm of u is
+ * about 0.5 to 1.5; output distances are u divided by this norm.
  *
  * REPRODUCIBILITY: the potential after Advance depends, bitwise, only on the times and the motion:
  * not on the number of threads, nor on previous contents of memory.
@@ -51,29 +51,30 @@ class ACTIVELEVELSET_EXPORT NarrowBand
 {
 public:
   /**
-   * voxelSize: distance of the nodes [world units], finite and > 0, else std::invalid_argument.
+   * voxelSize: distance of the nodes [world units], finite and > 0. Throws std::invalid_argument
+   * for other values.
    */
   explicit NarrowBand(double voxelSize);
   ~NarrowBand();
 
   /** Returns a copy with its own potential: a branch that does not change this trajectory. */
   std::unique_ptr<NarrowBand> Clone() const;
-  /** Returns the part of the surface within walls, closed at them, with this band's work and time.
-   */
+  /** Returns the part of the surface within walls, closed at the walls, with the work and the time
+   * of this band. */
   std::unique_ptr<NarrowBand> MakePartWithin(const Walls& walls) const;
 
   /**
-   * Extends the potential beyond the band, unless it is already extended. After a frame of the node
-   * scheme it ends at 3 voxels. Substeps call this themselves.
+   * Extends the potential beyond the band by ghosts, unless the band has ghosts. After a frame of
+   * the node scheme the potential ends at 3 voxels. Substeps call this function themselves.
    */
   void AddGhosts();
   bool HasGhosts() const;
 
   ///@{
   /**
-   * Returns the state as bytes, lossless (see State/PackedBand.h), or the band restored from them.
-   * Further motion of the restored band is bitwise identical. For this process, not for files. Does
-   * not include GetWork. part: SharePart of the band.
+   * Pack returns the state as bytes, lossless (see State/PackedBand.h). Unpack returns the band
+   * restored from these bytes. Further motion of the restored band is bitwise identical. The bytes
+   * are for this process, not for files. Does not include GetWork. part: SharePart of the band.
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(
@@ -84,7 +85,7 @@ public:
   /**
    * Bands partitioned among ranks. After SetDomain the next frames of the node scheme are parts of
    * one band: Start and Advance are then collective, and areas, volumes and numbers of nodes are
-   * totals of all ranks. null: the band is whole.
+   * totals of all ranks. domain: null if the band is whole.
    */
   void SetDomain(const std::shared_ptr<const Domain>& domain);
   /** Null if the band is whole. */
@@ -92,8 +93,8 @@ public:
   std::shared_ptr<const BandPart> SharePart() const;
   /** Adds the costs of this rank's leaves. */
   void ListCosts(std::vector<LeafCost>& costs) const;
-  /** Returns the whole band, on all ranks or on the first one; otherwise null. Collective; only for
-   * a part. */
+  /** Returns the whole band: on all ranks if onAll, else on rank 0, and null on other ranks.
+   * Collective; only for a part. */
   std::unique_ptr<NarrowBand> GatherWhole(bool onAll) const;
   /** Replaces a part by the whole band; the next frames are whole, too. Collective. */
   void MakeWhole();
@@ -105,13 +106,14 @@ public:
   /**
    * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
    * would have more active nodes, or if a shape that fills the bounds would. Advance throws after a
-   * substep in which the band exceeds the limit, and before any other substep while it does.
+   * substep in which the band exceeds the limit, and before any further substep while the band
+   * exceeds it.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 
   /**
-   * Sets the potential to the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax;
-   * closed at their faces where the function is negative there), and the time. Memory is
+   * Starts at a time with the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax).
+   * The surface is closed at faces of the bounds where the function is negative. Memory is
    * proportional to the surface and two planes of the lattice. A function without zero set gives an
    * empty surface. Throws std::invalid_argument for bounds that are empty, not finite or too large
    * for the voxel size, std::runtime_error beyond the maximum number of active voxels. Returns
@@ -122,8 +124,8 @@ public:
 
   /**
    * Sets the potential to the target at the time, after attraction and tension of this duration:
-   * the first frame is then as smooth as the following ones. The target has to have nodes. bounds:
-   * only their size is used. Throws like Advance.
+   * the first frame is then as smooth as the following frames. The target has to have nodes.
+   * bounds: only their size is used. Throws like Advance.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
@@ -137,29 +139,29 @@ public:
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
   /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, so
-   * that the first frame has this value. Does nothing without such a control. Counts as the start.
-   */
+   * that the first frame has this value. Does nothing without such a control. The areas and
+   * volumes then count as those at the start. */
   void RestoreTargets(const Motion& motion);
 
   /**
    * Moves the surface to the motion time `time`; substeps end exactly there. Throws
-   * std::invalid_argument for a time before the current one. An exception (of the target, or the
-   * guard's) leaves the potential and GetTime() as after the last finished substep.
+   * std::invalid_argument for a time before the current time. After any other exception, the
+   * potential and GetTime() are those after the last finished substep.
    */
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
   /**
    * Moves the surface until it is steady (IsSteady in the report), or the maximum of substeps is
-   * reached. It is steady if its normal speed at the sample points, from all terms, is within the
-   * tolerance. Time advances too. Throws like Advance.
+   * reached. A surface is steady if its normal speed at the sample points, from all terms, is
+   * within the tolerance. The time of the surface advances. Throws like Advance.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
     Target& target, const ProgressFunction& progress = {});
 
   ///@{
-  /** Sum of the reports since the start or the last ForgetWork, including calls that ended in an
-   * exception, and the largest speed. Copied by Clone. */
+  /** Sums of the counts in the reports since the start or the last ForgetWork, and the largest
+   * MaxSpeed. Calls that ended in an exception are included. Clone copies this report. */
   const AdvanceReport& GetWork() const;
   void ForgetWork();
   ///@}

@@ -17,8 +17,8 @@ namespace
 constexpr double ReachOfMotion = 4.5;
 // Distance from a particle of a body to the skin, minus its own radius [own radii].
 constexpr double BeyondOwnRadius = 0.1;
-// Half width of the shell around the skin [voxels]. A gap of two own radii between particles can
-// belong to their body, so it is in the shell too.
+// Half width of the shell around the skin [voxels]. A gap of two own radii between particles can be
+// inside their body, so the shell includes such a gap.
 constexpr double Band = 3.0;
 // A longer displacement counts as none [voxels].
 constexpr double LongestDisplacement = 1e6;

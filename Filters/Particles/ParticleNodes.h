@@ -1,9 +1,9 @@
 // Particles as a target at the nodes of a lattice: see NodeTarget.h in LevelSet.
 //
 // The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. The skin
-// of a body is near the ends of kernels, where S grows with the fifth power of the depth. The skin
-// of an isolated particle is where S grows with the third power. The root is nearly linear in both
-// cases.
+// of a body is near the ends of the kernels' supports, where S grows with the fifth power of the
+// depth. At the skin of an isolated particle, S grows with the third power. The fourth root is
+// nearly linear in both cases.
 //
 // Lengths are in voxels. Positions are relative to their block or leaf, so that single precision
 // suffices anywhere.
@@ -64,8 +64,8 @@ VTKACTIVEPARTICLES_EXPORT int FindMarginOfNodes(
 class VTKACTIVEPARTICLES_EXPORT ParticleNodes
 {
 public:
-  // Reuses allocated memory. Collective with a domain; the particles then have to include all
-  // within the margin of this rank's partition.
+  // Reuses allocated memory. Collective with a domain: the given particles then have to include all
+  // particles within the margin around this rank's partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
   void FindShell(bool wantsInside, Shell& shell) const;

@@ -1,6 +1,7 @@
 // Potential of particles at any point: F = (1 - S) / 2, negative inside. S is the sum of strength
 // (1 - d^2)^3 over the ellipsoids that the node scheme fits to the particles (Nodes/NodeFits.h).
-// For functions and explicit substeps; ParticleNodes.h evaluates S at nodes.
+// Functions and explicit substeps use this potential. The node scheme uses ParticleNodes.h, which
+// evaluates S at nodes.
 //
 // F and its gradient are bitwise identical for any batch, thread and instruction set, and do not
 // depend on particles whose supports do not contain the point.
@@ -33,8 +34,8 @@ public:
   // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false without an ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
-  // Finds the vector, as long as the spacing, away from the neighbours of a particle at the edge of
-  // a body. Returns false for other particles.
+  // For a particle at the edge of a body, finds the vector away from its neighbours, as long as the
+  // spacing. Returns false for other particles.
   bool FindOutward(std::size_t particle, double (&outward)[3]) const;
 
   // Finds the bounding box of all ellipsoids; returns false if there are none.

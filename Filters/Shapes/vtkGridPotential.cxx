@@ -38,11 +38,11 @@ namespace
 // Finds the fraction of a surface that belongs to sheets, rods and crumbs thinner than a length.
 //
 // The body is thin at a surface point if the function is positive on both sides along the normal,
-// within that length. One such point is outside, the other behind the opposite side of the body.
-// The test needs no distances, no resolution of the part and no oriented normals. The function has
-// to rise along the normal to within 45 degrees, so that the opposite side faces the point. Edges
-// of a cube, or of any wedge of more than 45 degrees, are therefore not thin: they are rounded off,
-// but not lost.
+// within that length. One of these points is outside near the surface point, the other point behind
+// the opposite side of the body. The test needs no distances, no resolution of the part and no
+// oriented normals. The function has to rise along the normal to within 45 degrees, so that the
+// opposite side faces the point. Edges of a cube, or of any wedge of more than 45 degrees, are
+// therefore not thin: the lattice rounds these edges off, but does not lose them.
 
 // Equidistant points along a normal.
 struct RayPoints
@@ -62,8 +62,8 @@ RayPoints MakeRayPoints(const SurfaceSample& surface, double thickness)
   return { length / count, static_cast<int>(count) };
 }
 
-// Returns true if the function is positive and rises, within 45 degrees, at a point along the
-// normal.
+// Returns true if, at a point of the ray along the normal, the function is positive and rises to
+// within 45 degrees of the direction of the ray.
 bool LeadsOut(
   const GridSamples& function, const SurfacePoint& from, double sense, const RayPoints& ray)
 {

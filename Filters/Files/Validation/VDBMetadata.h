@@ -1,5 +1,6 @@
 /**
- * Reads metadata of a .vdb file after validating their sizes, which OpenVDB's reader trusts.
+ * Reads metadata of a .vdb file after validating the sizes of the metadata, because OpenVDB's
+ * reader trusts these sizes.
  */
 #ifndef VDBMetadata_h
 #define VDBMetadata_h

@@ -1,5 +1,5 @@
 /**
- * Validates the points in the leaves of a .vdb file without building them, see VDBTree.h.
+ * Validates the points in the leaves of a .vdb file without building the leaves; see VDBTree.h.
  */
 #ifndef VDBPoints_h
 #define VDBPoints_h

@@ -1,6 +1,6 @@
 /**
  * Validates the topology of a .vdb tree without building it. Every size field is checked against
- * the file, because OpenVDB's reader trusts it. Collects the active bounding box.
+ * the file, because OpenVDB's reader trusts these fields. Collects the active bounding box.
  */
 #ifndef VDBTree_h
 #define VDBTree_h
@@ -62,8 +62,9 @@ VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**
- * Skips a Blosc buffer of `stored` bytes. Throws std::runtime_error unless its header declares
- * `unpacked` bytes, or OpenVDB's 128 padded bytes if `unpacked` is less.
+ * Skips a Blosc buffer of `stored` bytes. Throws std::runtime_error unless the header of the buffer
+ * declares `unpacked` bytes. If `unpacked` is less than 128, the header may declare 128 bytes,
+ * because OpenVDB pads short data.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 

@@ -12,13 +12,13 @@ class vtkInformation;
 namespace activesurface
 {
 
-// Inserts the number into the pattern. It replaces the last run of # in the file's name, padded to
-// the run's length, or else %d or %0Nd. Without a placeholder, and if `always`, inserts four digits
-// before the extension.
+// Inserts the number into the pattern. The number replaces the last run of # in the file's name,
+// padded to the length of the run. Without #, the number replaces %d or %0Nd. Without any
+// placeholder, inserts four digits before the extension if `always` is true.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
-// Times of a series' files, by file; NaN: unavailable. Times that are not finite or do not ascend
-// are replaced by file indices.
+// Times of the files of a series; NaN: unavailable. If a time is not finite, or the times do not
+// ascend, the file indices replace all times.
 class FileTimes
 {
 public:

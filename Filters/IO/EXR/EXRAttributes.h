@@ -12,9 +12,9 @@ class vtkFieldData;
 namespace activesurface
 {
 
-// Adds an array, named after the attribute, for each attribute of one or a few numbers or texts.
-// Matrices are stored row by row, transposed for VTK's column vectors. Time codes and enumerations
-// become texts.
+// Adds an array for each attribute whose value is a number, a text, or a few numbers or texts. The
+// array has the attribute's name. Matrices are stored row by row, transposed for VTK's column
+// vectors. Time codes and enumerations become texts.
 void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 
 // Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form.

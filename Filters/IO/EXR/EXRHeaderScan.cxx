@@ -54,8 +54,9 @@ std::string ReadName(EXRInput& input)
   return name;
 }
 
-// OpenEXR before 3.3 reads some types beyond the attribute's size, or not to its end. It then
-// treats the following bytes as the next attribute, of any size.
+// Reads an attribute and checks its end. OpenEXR before 3.3 reads attributes of some types beyond
+// their stated size, or not to their end. OpenEXR would treat the following bytes as the next
+// attribute, of any size.
 void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::Header& header)
 {
   const std::string type = ReadName(input);
@@ -102,8 +103,8 @@ int CountLinesOfChunk(Imf::Compression compression)
   }
 }
 
-// Upper bound of the ratio of unpacked to packed bytes: that of deflate. RLE, PIZ and B44 have
-// lower ratios; DWA deflates the means of blocks of 64 pixels.
+// Returns an upper bound of the ratio of unpacked to packed bytes: that of deflate. RLE, PIZ and
+// B44 have lower ratios; DWA deflates the means of blocks of 64 pixels.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;

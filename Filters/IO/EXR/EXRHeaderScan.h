@@ -11,12 +11,12 @@
 namespace activesurface
 {
 
-// Reads the headers by OpenEXR's attributes and rewinds the stream. Throws std::exception if an
-// attribute does not have its stated size, or a file of this size cannot contain the image.
+// Reads the headers by OpenEXR's attribute classes, then rewinds the stream. Throws std::exception
+// if an attribute does not have its stated size, or a file of this size cannot contain the image.
 void CheckEXRHeaders(EXRInput& input);
 
-// Returns the bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels
-// count as complete.
+// Returns the size [bytes] of the lines, or of the tile, that OpenEXR packs at a time. A subsampled
+// channel counts as if it had all samples.
 double CountBytesOfChunk(const Imf::Header& header);
 
 }

@@ -67,8 +67,8 @@ vtkSmartPointer<vtkDataArray> MakeArray(const EXRLayer& layer, vtkIdType pixels)
   return array;
 }
 
-// Appends a number to the second of two equal names, as for a channel N and the layer N.X, N.Y,
-// N.Z.
+// Adds an array. If its name is used already, as for a channel N and a layer N.X, N.Y, N.Z, appends
+// a number to the name.
 void AddUnderOwnName(vtkDataArray* array, vtkPointData* data)
 {
   const std::string name = array->GetName();

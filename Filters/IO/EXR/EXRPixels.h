@@ -1,5 +1,6 @@
 // Provides components of VTK arrays as samples of channels, without a copy if the types agree.
-// Other values are converted; values that do not fit are an error.
+// Values of other types are converted; a value that does not fit the type of the channel is an
+// error.
 
 #ifndef EXRPixels_h
 #define EXRPixels_h

@@ -1,5 +1,5 @@
 // Streams for OpenEXR with a known size, which report every error. OpenEXR's own output stream
-// ignores errors of the last bytes, which are written when it closes.
+// ignores errors of the last bytes, which are written when the stream closes.
 
 #ifndef EXRStreams_h
 #define EXRStreams_h
@@ -24,8 +24,8 @@ struct EXRMemory
 class EXRInput : public Imf::IStream
 {
 public:
-  // Opens the file or, if there are any, the bytes in memory, which have to outlive this object.
-  // Throws FileError on failure.
+  // Opens the bytes in memory if there are any, otherwise the file. The bytes have to outlive this
+  // object. Throws FileError on failure.
   EXRInput(const std::string& name, const EXRMemory& memory);
 
   bool read(char bytes[], int count) override;

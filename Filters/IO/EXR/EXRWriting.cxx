@@ -137,8 +137,8 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
     samples.Stride, static_cast<std::size_t>(-row));
 }
 
-// Worker threads of OpenEXR, for one file. OpenEXR has no threads unless the program sets their
-// number, which is then kept.
+// Sets the worker threads of OpenEXR while one file is written. OpenEXR has no worker threads
+// unless the program has set their number. A number set by the program is kept.
 class PackingThreads
 {
 public:

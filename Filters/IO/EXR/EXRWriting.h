@@ -50,8 +50,8 @@ struct EXRHeaderSettings
   std::map<std::string, double> Numbers;
 };
 
-// Throws FileError whose text follows "Cannot write the file: ". On failure an existing file is
-// kept.
+// Throws FileError on failure, and then keeps an existing file. The text of the error does not name
+// the file; the caller adds the name.
 void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
   const std::vector<EXRSource>& sources);
 

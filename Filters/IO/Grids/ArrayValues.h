@@ -53,8 +53,9 @@ vtkSmartPointer<vtkDataArray> MakeArrayOf()
     vtkDataArray::CreateDataArray(vtkTypeTraits<StoredNumber<Number>>::VTKTypeID()));
 }
 
-// Calls function(zero) with a zero of the value type of a grid that stores the array without loss.
-// Integers become 32 or 64 bits. Throws std::invalid_argument if there is no such type.
+// Chooses the value type of a grid that stores the array without loss, and calls function(zero)
+// with a zero of this type. Integers become 32 or 64 bits. Throws std::invalid_argument if no type
+// is suitable.
 template <class Function>
 void DispatchValues(vtkDataArray* array, Function&& function)
 {

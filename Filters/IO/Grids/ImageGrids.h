@@ -11,9 +11,9 @@ class vtkImageData;
 namespace activesurface
 {
 
-// Returns a grid whose active values are those that differ from the background, 0. A level set
-// needs one component and cubic voxels. Its background is 3 voxels, and values beyond are clamped.
-// Throws std::invalid_argument for unsuitable arrays.
+// Returns a grid with the background 0; values that differ from the background are active. A level
+// set needs one component and cubic voxels. The background of a level set is 3 voxels, and values
+// are clamped to +-3 voxels. Throws std::invalid_argument for unsuitable arrays.
 openvdb::GridBase::Ptr MakeImageGrid(
   vtkImageData* image, vtkDataArray* array, openvdb::GridClass kind);
 

@@ -15,7 +15,7 @@ class vtkImageData;
 namespace activesurface
 {
 
-// A validated file and the grids that are read from it: volumes of one transform, or one grid of
+// A validated file and the grids to read from the file: volumes of one transform, or one grid of
 // points.
 struct ChosenGrids
 {
@@ -28,8 +28,9 @@ struct ChosenGrids
   openvdb::CoordBBox FindActiveBox() const;
 };
 
-// Chooses grids by name or, without names, the best one by class. Throws std::exception if the file
-// cannot be read; std::invalid_argument, with a list of the available grids, for other names.
+// Chooses grids by name; without names, chooses the best grid by class. Throws std::exception if
+// the file cannot be read. Throws std::invalid_argument, with a list of the available grids, if a
+// name is unknown.
 ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names);
 
 // Position and size of an image whose points are every `factor`th voxel of a grid.
@@ -47,12 +48,12 @@ struct ImagePlace
 ImagePlace MakeImagePlace(
   const openvdb::math::Transform& transform, const openvdb::CoordBBox& box, int factor);
 
-// Box in index coordinates (x min, x max...). Throws std::invalid_argument for an empty box or one
-// beyond 2^30.
+// Returns a box of voxels from index coordinates (x min, x max...). Throws std::invalid_argument
+// for a box that is empty or extends beyond 2^30.
 openvdb::CoordBBox FindVoxels(const int region[6]);
 
-// Voxels that cover a box in world space (x min, x max...). Throws std::invalid_argument for a box
-// that is empty, not finite or too far away.
+// Returns the voxels that cover a box in world space (x min, x max...). Throws
+// std::invalid_argument for a box that is empty, not finite or too far away.
 openvdb::CoordBBox FindVoxels(const openvdb::math::Transform& transform, const double bounds[6]);
 
 struct ImageRequest

@@ -12,7 +12,7 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Throws std::invalid_argument for a grid of another kind. Throws std::runtime_error for more
+// Throws std::invalid_argument for a grid that is not of points. Throws std::runtime_error for more
 // points than `maximum` or a damaged grid.
 void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData* data);
 

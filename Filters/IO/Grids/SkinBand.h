@@ -1,12 +1,13 @@
 // Computes exact distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
-// The potential provides only the sign, because it is no exact distance. The search of a node
-// starts at the nearest triangles of its neighbours closer to the surface. It moves to closer
-// triangles around the foot point until there are none. Each layer of nodes depends only on the
-// previous layer, so the result does not depend on the number of threads.
+// The potential provides only the sign, because the potential is no exact distance. The search for
+// a node starts at the nearest triangles of the neighbour nodes that are closer to the surface. The
+// search moves to closer triangles around the closest point until no triangle is closer. Each layer
+// of nodes depends only on the previous layer, so the result does not depend on the number of
+// threads.
 //
-// OpenVDB's conversion of meshes with the walk of MeshDistance.h needs twice the time here, and its
-// distances are up to half a voxel too long near medial axes.
+// OpenVDB's conversion of meshes, corrected by the walk of MeshDistance.h, would need twice the
+// time. Near medial axes its distances would be up to half a voxel too long.
 
 #ifndef SkinBand_h
 #define SkinBand_h

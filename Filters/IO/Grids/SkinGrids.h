@@ -10,16 +10,16 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// Returns "surface", a level set [world units] with the exact transform of the lattice. Throws
-// std::invalid_argument for voxels too small for OpenVDB.
+// Returns a level set named "surface" [world units], with the exact transform of the lattice.
+// Throws std::invalid_argument for voxels too small for OpenVDB.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 
 // Returns "density", a fog: 1 inside, falling to 0 at the surface within the half width.
 openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface);
 
-// Returns a point array's values at the nodes near the surface. Numbers are interpolated on the
-// nearest triangle; integers come from its nearest corner. Throws std::invalid_argument unless the
-// array has one or three components.
+// Returns a point array's values at the nodes near the surface. Floating-point numbers are
+// interpolated on the nearest triangle. Integers are those of the corner of this triangle that is
+// nearest to the node. Throws std::invalid_argument unless the array has one or three components.
 openvdb::GridBase::Ptr MakeArrayGrid(
   vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band);
 

@@ -26,7 +26,7 @@ struct VDBChoice
 };
 
 // Throws std::invalid_argument, with a message, for data that cannot become the chosen grids.
-// attached: to the data, or gathered from all ranks; may be null.
+// attached: state that is attached to the data, or was gathered from all ranks; may be null.
 openvdb::GridPtrVec MakeGrids(vtkDataObject* data,
   const std::shared_ptr<const AttachedState>& attached, const VDBChoice& choice);
 

@@ -10,8 +10,8 @@
 namespace activesurface
 {
 
-// Writes grids; `metadata` is added to the file and to each grid. compression: OpenVDB's flags.
-// Throws FileError and keeps an existing file.
+// Writes grids; `metadata` is added to the file and to each grid. compression: OpenVDB's flags. On
+// failure, throws FileError and keeps an existing file.
 void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
   const openvdb::MetaMap& metadata, std::uint32_t compression);
 

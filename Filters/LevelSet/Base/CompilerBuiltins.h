@@ -17,8 +17,9 @@
 #define ACTIVE_FOR_AVX512
 #endif
 
-// For functions and, after the parameters, for lambdas. A function that a kernel calls gets the
-// instruction set of the kernel only if it is inlined into the kernel.
+// ACTIVE_ALWAYS_INLINE is for functions, ACTIVE_INLINED for lambdas, after their parameters. A
+// function that a kernel calls gets the instruction set of the kernel only if it is inlined into
+// the kernel.
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
 

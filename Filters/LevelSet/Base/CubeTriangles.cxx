@@ -6,8 +6,9 @@
 
 // Construction of the table. On each face, one segment cuts off every run of inside corners. A walk
 // around the face enters the run at one end of the segment, and leaves the run at the other end. A
-// crossed edge lies on two faces. It is entered on one face and left on the other, so the segments
-// form closed loops. The loops are then filled with triangles.
+// crossed edge lies on two faces. A segment enters the edge on one face, and a segment leaves the
+// edge on the other face, so the segments form closed loops. The loops are then filled with
+// triangles.
 //
 // A diagonal between two edges of one face is never used: the neighbour across that face might draw
 // the same diagonal, and the mesh edge would have four triangles. Other diagonals run through the

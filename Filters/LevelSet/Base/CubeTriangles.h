@@ -3,13 +3,13 @@
  * the 256 sign patterns. A triangle's vertices are edges of the voxel: the polygoniser puts one
  * shared mesh vertex on each lattice edge whose ends differ in sign.
  *
- * Laid over a lattice of any signs, they form a mesh in which, off the outer boundary,
+ * Laid over a lattice of any signs, the triangles form a mesh in which, off the outer boundary,
  *  - each mesh edge belongs to exactly two triangles, which run through it in opposite directions,
  *  - the triangles around a vertex form one closed fan,
  *  - triangles are counter-clockwise seen from outside (normals point from inside to outside).
- * This also holds for ambiguous faces (two diagonally opposite inside corners): the two inside
+ * The same is true for ambiguous faces (two diagonally opposite inside corners): the two inside
  * corners are always separated. The rule depends only on the signs of the face, so both voxels of a
- * face cut it alike.
+ * face cut the face in the same way.
  *
  * Numbering. Corner c = 4 x + 2 y + z, the order of an OpenVDB leaf. Edge e = 4 axis + 2 u + v,
  * where u and v are the offsets of the edge along the two other axes, in the order x, y, z.

@@ -1,6 +1,6 @@
 /**
  * Vectors of eight floats, for kernels compiled for several instruction sets (InstructionSets.h).
- * Each lane is bitwise identical to the operations on a single number.
+ * Results of each lane are bitwise identical to those of the same operations on single numbers.
  */
 #ifndef FloatLanes_h
 #define FloatLanes_h
@@ -20,8 +20,8 @@ namespace activesurface
 using Lanes = float __attribute__((vector_size(32)));
 using LaneMask = std::int32_t __attribute__((vector_size(32))); //< -1: true, 0: false
 
-/** Sets lanes in a loop. GCC compiles Lanes{ x, x, ... } for the baseline before inlining, through
- * memory, which is four times as slow. */
+/** Sets all lanes to x in a loop. GCC compiles Lanes{ x, x, ... } for the baseline instruction set
+ * before inlining; this code goes through memory and is four times as slow. */
 ACTIVE_ALWAYS_INLINE Lanes AllLanes(float x)
 {
   Lanes all;

@@ -19,8 +19,8 @@ struct SurfacePoints
   /** Visits the points (x y z). Empty: the points are unknown. */
   std::function<void(const std::function<void(const double x[3])>& visit)> ForEach;
 
-  /** Every sign change of the function, except at walls, has a point within this distance along
-   * each axis [length]. */
+  /** Every sign change of the function, except at walls, has one of the points within this distance
+   * along each axis [length]. */
   double Reach = 0.0;
 
   /** Box that contains all points where the function is negative. */
@@ -37,15 +37,17 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together contain the zero set. The cost of the start then depends on the
-   * boxes, not on the bounds. Outside the boxes the function keeps its sign and is not evaluated.
-   * Empty: the boxes are unknown, and the function is sampled everywhere within the bounds.
+   * Visits boxes that together contain the zero set. With boxes, the cost of the start depends on
+   * the boxes, not on the bounds. Outside the boxes the function keeps its sign and is not
+   * evaluated. Empty: the boxes are unknown, and the function is sampled everywhere within the
+   * bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set, used instead of regions if available. The cost of the start then
-   * depends on the points. The result is bitwise identical to the start without points.
+   * Points near the zero set. If there are any, the start uses the points instead of the regions,
+   * and its cost depends on the number of points. The result is bitwise identical to the start
+   * without points.
    */
   SurfacePoints Surface;
 };

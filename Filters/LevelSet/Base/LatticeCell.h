@@ -11,8 +11,8 @@
 namespace activesurface
 {
 
-/** The voxel that contains a position [voxels], and the position's fractions in it, as in
- * Trilinear.h. */
+/** The voxel that contains a position [voxels], and the fractions of the position in the voxel, as
+ * in Trilinear.h. */
 struct LatticeCell
 {
   /** place: has to fit into lattice coordinates. */

@@ -32,8 +32,8 @@ LatticeTriangles::~LatticeTriangles() = default;
 
 MeshBand MakeMeshBand(const LatticeTriangles& mesh, float halfWidth, bool isSigned)
 {
-  // Renormalisation is meant for meshes that intersect themselves. It moves the surface at concave
-  // edges by up to a voxel.
+  // Renormalisation, which is meant for meshes that intersect themselves, is disabled: at concave
+  // edges it would move the surface by up to a voxel.
   const int flags = openvdb::tools::DISABLE_RENORMALIZATION |
     (isSigned ? 0 : openvdb::tools::UNSIGNED_DISTANCE_FIELD);
   MeshBand band;

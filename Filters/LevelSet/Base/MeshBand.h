@@ -1,6 +1,6 @@
 /**
  * Distances to triangles at nodes near them, by OpenVDB's converter. Only this library compiles the
- * converter, because that needs half a minute.
+ * converter, because its compilation needs half a minute.
  */
 #ifndef MeshBand_h
 #define MeshBand_h
@@ -33,7 +33,7 @@ struct MeshBand
 };
 
 /** Computes distances up to halfWidth [voxels] on either side. Signed distances are negative
- * inside; their triangles have to be closed. */
+ * inside, and need a closed mesh. */
 ACTIVELEVELSET_EXPORT MeshBand MakeMeshBand(
   const LatticeTriangles& mesh, float halfWidth, bool isSigned);
 

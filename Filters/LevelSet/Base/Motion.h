@@ -5,9 +5,10 @@
  * corrected):
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
- * v: the target's velocity, n: the outward normal, w: weight of tension. Substeps: v = 0, w = 1;
- * kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere with
- * only Tension obeys r^2 = r0^2 - 4 Tension t; A and V the area and the volume of the skin.
+ * v: the target's velocity, n: the outward normal, w: weight of tension. In explicit substeps v is
+ * 0 and w is 1. kappa = div n is the SUM of the principal curvatures (2/r on a sphere), so a sphere
+ * with only Tension obeys r^2 = r0^2 - 4 Tension t. A and V are the area and the volume of the
+ * skin.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -23,8 +24,8 @@ namespace activesurface
 
 class Obstacle;
 
-/** Control of area or volume: none; a penalty speed proportional to the deficit (the paper); or
- * exact, by a uniform displacement after each substep. */
+/** Control of area or volume: no control; a penalty speed proportional to the deficit, as in the
+ * paper; or exact control by a uniform displacement after each substep. */
 enum class Control
 {
   None,
@@ -95,7 +96,8 @@ struct Motion
   ///@{
   /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere under tension keeps the
    * offset e = 1 - V/V0 with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
-   * VolumeStiffness r0 < 4.233 Tension; for the area e (1 - e)^(1/2) and 5.196. */
+   * VolumeStiffness r0 < 4.233 Tension. For the area, e = 1 - A/A0, the power is 1/2, and the
+   * factor is 5.196. */
   double AreaStiffness = 1.0;
   double VolumeStiffness = 1.0;
   ///@}
@@ -109,8 +111,8 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
-  /** Nodes needs a target with nodes and an Attraction by which distances fall by a factor e^2 or
-   * more. It does not support penalties. */
+  /** TimeIntegration::Nodes needs a target whose GetNodes is not null, and an Attraction that
+   * reduces distances by a factor e^2 or more in an interval. Penalties are not supported. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
@@ -121,8 +123,8 @@ struct Motion
   Periods Period;
 
   /**
-   * Obstacle that the surface may not enter, owned by the caller; null: none. It is sampled in each
-   * leaf that the surface reaches.
+   * Obstacle that the surface may not enter, owned by the caller; null: none. The obstacle is
+   * sampled in each leaf that the surface reaches.
    */
   Obstacle* Solid = nullptr;
 
@@ -140,8 +142,8 @@ inline bool HasTargetSpeed(const Motion& motion)
 /** End of NarrowBand::AdvanceToSteadyState. */
 struct SteadyStateCriterion
 {
-  /** Largest normal speed at the sample points [voxels/time]. If it is not 0, the surface is also
-   * steady if the rest of its motion is an oscillation; see Displacement.h. */
+  /** Largest normal speed of a steady surface at the sample points [voxels/time]. If the tolerance
+   * is not 0, a surface that only oscillates is steady too; see Displacement.h. */
   double Tolerance = 1e-3;
   /** Longest displacement of a static sample point in a window of substeps [voxels]. */
   static constexpr double Still = .02;

@@ -61,9 +61,10 @@ class NodeTarget
 public:
   virtual ~NodeTarget() = default;
 
-  /** Places the target at the end of a motion; displacements start at its beginning. Called by one
-   * thread. Collective if space is partitioned: results are then valid in the leaves of this rank,
-   * and sides also in the leaves around them. */
+  /** Places the target at the end of a motion. Displacements are those since the beginning of the
+   * motion. Called by one thread. Collective if space is partitioned: results are then valid in
+   * the leaves of this rank; the side of a leaf, inside or outside, is also valid in the leaves
+   * around these leaves. */
   virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
   /** Finds the shell of the placed target, and the inside leaves if wanted. */

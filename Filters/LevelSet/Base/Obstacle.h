@@ -45,7 +45,7 @@ public:
   bool IsKnown(const LeafOrigin& origin) const;
 
   /** Returns the depths [voxels] at the 512 nodes of a sampled leaf, or null if the obstacle has no
-   * effect at any of them. The depth of a node without effect is below all values of the band. */
+   * effect at any of them. At a node without effect, the depth is below all values of the band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
   /** Returns the depth at a point [world units], interpolated linearly between nodes; -infinity

@@ -1,11 +1,11 @@
 /**
- * OpenVDB, with its templates visible beyond this library; everything else in this library is
- * hidden.
+ * OpenVDB, with templates that are visible to other libraries. All other symbols of this library
+ * are hidden.
  *
  * OpenVDB's grids keep static members, and flags for single calls, in templates. A program must
- * have one copy of each. If members were hidden and flags were not, the first library to call would
- * fill only its own members, and other libraries would read null. Include OpenVDB by this header,
- * before any other header of OpenVDB.
+ * have one copy of each member and flag. If members were hidden but flags were not, the first
+ * library to call would fill only its own members, and other libraries would read null. Include
+ * OpenVDB by this header, before any other header of OpenVDB.
  */
 #ifndef OpenVDB_h
 #define OpenVDB_h
@@ -14,8 +14,8 @@
 #include <openvdb/openvdb.h>
 #pragma GCC visibility pop
 
-/** Calls X with the name of each tree type whose grids sources here make. OpenVDB's library
- * registers all these types. */
+/** Calls X with the name of each tree type of the grids that this project creates. OpenVDB's
+ * library registers all these types. */
 #define OpenVDB_ForEachTree(X)                                                                     \
   X(BoolTree)                                                                                      \
   X(MaskTree)                                                                                      \
@@ -28,8 +28,8 @@
   X(Vec3ITree)
 
 // The functions of a grid need ten seconds to compile. OpenVDB's library has the virtual functions,
-// compiled for the types that it registers. Other functions are inlined or are in OpenVDB.cxx.
-// Where too few are inlined, ACTIVE_COMPILE_GRIDS compiles all of them.
+// compiled for the types that it registers. Other functions are inlined or are in OpenVDB.cxx. For
+// a compiler that inlines too few functions, ACTIVE_COMPILE_GRIDS compiles all functions.
 #define OpenVDB_Declare(Name)                                                                      \
   extern template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                          \
   extern template class openvdb::Grid<openvdb::Name>;

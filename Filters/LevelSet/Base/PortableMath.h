@@ -1,7 +1,7 @@
 /**
  * Exponentials and roots by additions, multiplications and divisions only, so results are bitwise
- * identical on all processors. C libraries differ in the last bit, once in a thousand calls, with
- * the processor's instructions and the library's release.
+ * identical on all processors. The results of C libraries depend on the processor's instructions
+ * and on the release of the library: in one of a thousand calls the last bit differs.
  */
 #ifndef PortableMath_h
 #define PortableMath_h

@@ -11,8 +11,8 @@ namespace
 
 std::atomic<bool> IsExiting{ false };
 
-/** A static object constructed after TBB's, so destroyed before them. Trees released later are
- * leaked, because freeing them needs TBB. */
+/** A static object that is constructed after TBB's static objects, and therefore destroyed before
+ * them. Trees released after its destruction are leaked, because freeing a tree needs TBB. */
 struct ExitSentinel
 {
   ~ExitSentinel() { IsExiting = true; }

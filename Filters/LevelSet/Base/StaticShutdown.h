@@ -1,7 +1,7 @@
 /**
  * Release of trees at the end of a program. OpenVDB frees trees by means of TBB, but ParaView
- * deletes its objects after TBB's static objects are destroyed. Freeing a tree then would abort a
- * finished program.
+ * deletes its objects after TBB's static objects are destroyed. Freeing a tree at that time would
+ * abort a finished program.
  */
 #ifndef StaticShutdown_h
 #define StaticShutdown_h

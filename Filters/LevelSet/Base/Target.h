@@ -17,8 +17,8 @@ struct TargetResults
 {
   /** F - iso, negative inside the target. A value that is not finite drops its sample point. */
   double* Values = nullptr;
-  /** Upper bounds of the target slope |dF/dn|, which limits the time step: 1 for a distance, 0
-   * where F is constant. */
+  /** Upper bounds of the target slope |dF/dn|, which limits the time step. The slope is 1 for a
+   * distance, and 0 where F is constant. */
   double* Slopes = nullptr;
 };
 
@@ -57,8 +57,8 @@ public:
    * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
    * last MoveTo; one box that meets a part is enough. The boxes and their order must depend only on
    * the time, otherwise a restart may create other parts. TargetRegion.h describes the cost. A part
-   * that touches the skin is not created, because the skin grows into it. Its boxes have to be
-   * visited again as long as the contact may end.
+   * that touches the skin is not created, because the skin grows into it. The boxes of such a part
+   * have to be visited in later substeps too, because the contact may end.
    */
   void ForEachRegion(const RegionVisitor& visit) const
   {
@@ -66,8 +66,8 @@ public:
   }
 
   ///@{
-  /** Visits regions by source, for example by particle, with any number of boxes each. first, end:
-   * the sources from first to end - 1. Thread-safe. */
+  /** Visits the regions of the sources `first` to `end` - 1. A source, for example a particle, has
+   * any number of boxes. Thread-safe. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
   {
@@ -79,13 +79,12 @@ public:
 
   /**
    * Visits the parts and hollows of the shapes between which the target moves. Parts that the skin
-   * does not meet are created when the target reaches them. The order may be any that depends only
-   * on the time.
+   * does not meet are created when the target reaches them. The order must depend only on the time.
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
-  /** Returns this target at lattice nodes, for TimeIntegration::Nodes; null if it has no such form.
-   */
+  /** Returns this target as a NodeTarget, for TimeIntegration::Nodes; null if this is not
+   * possible. */
   virtual NodeTarget* GetNodes() { return nullptr; }
 
   /** Returns true if several threads may call Evaluate at once. */

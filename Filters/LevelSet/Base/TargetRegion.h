@@ -8,12 +8,13 @@ namespace activesurface
 {
 
 /**
- * Nodes at which a region compares the target with the skin, to find a hollow, or a part of the
- * target that the skin does not reach. AllNodes: all nodes of the leaves that the box touches.
+ * Nodes of a region at which the target is compared with the skin, to find a hollow, or a part of
+ * the target that the skin does not reach. AllNodes: all nodes of the leaves that the box touches.
  * Centre: the centre of the box, which the part or hollow contains. PartAtCentre and
- * HollowAtCentre: the centre, only for parts or only for hollows. Particles use the last two: a
- * part is searched for in a particle, a hollow next to a particle. They cost no evaluation if the
- * skin contains the centre of PartAtCentre, or does not contain the centre of HollowAtCentre.
+ * HollowAtCentre: the centre, only for parts or only for hollows. Particles use PartAtCentre to
+ * search for a part in a particle, and HollowAtCentre to search for a hollow next to a particle.
+ * PartAtCentre costs no evaluation if the skin contains the centre, HollowAtCentre if the skin does
+ * not contain the centre.
  */
 enum class RegionSeeds
 {
@@ -36,8 +37,8 @@ using RegionVisitor = std::function<void(const TargetRegion&)>;
 using PointVisitor = std::function<bool(const double x[3])>;
 
 /**
- * A connected part of the inside of a shape that the target is or becomes; or a hollow of the
- * shape: an enclosed part of its outside.
+ * A connected part of the inside of a shape, or a hollow of the shape: an enclosed part of its
+ * outside. The target has this shape now or at a later time.
  */
 class TargetPart
 {

@@ -3,14 +3,15 @@
  * attraction and tension.
  *
  * A leaf has converged if its surface is slower than a thousandth of a voxel times Attraction times
- * L. Without Tension the speed is that of the target at the sample points, interpolated between the
- * nodes. With Tension it is the rate of change of u at the nodes of crossed edges, divided by the
- * gradient norm. These nodes move the surface, and they are not relaxed. A leaf that has converged
- * together with its neighbours stays bitwise identical, except for the factor 2 that keeps gradient
- * norms near 1. Further substeps would roughen the surface, and need time.
+ * the target slope L. Without Tension the speed is that of the target at the sample points,
+ * interpolated between the nodes. With Tension the speed is the rate of change of u at the nodes of
+ * crossed edges, divided by the gradient norm. These nodes move the surface, and are not relaxed. A
+ * leaf that has converged together with its neighbours stays bitwise identical, except for the
+ * factor 2 that keeps gradient norms near 1. Further substeps would roughen the surface, and need
+ * time.
  *
- * Convergence is a rule of the scheme: it depends only on the potential and the target. Unaffected
- * speeds are kept, so a converged leaf costs very little; the result is the same.
+ * Convergence depends only on the potential and the target. Speeds that cannot have changed are
+ * kept, which does not change the result. A converged leaf therefore costs very little.
  */
 #ifndef ConvergedLeaves_h
 #define ConvergedLeaves_h

@@ -35,9 +35,9 @@ public:
     double Mean;        //< mean distance [voxels]
   };
 
-  /** Returns statistics of the sample points of Begin; all 0 if there are none. A point whose
-   * edge is no longer crossed counts as moved by a voxel, and as moved farther than any
-   * `distance`. */
+  /** Returns statistics of the sample points of Begin; all 0 if there are none. If the edge of a
+   * point is no longer crossed, the point counts as moved by a voxel, and as moved farther than
+   * any `distance`. */
   Statistics GetStatistics(const LeafTable& table, double distance) const;
 
 private:
@@ -58,20 +58,21 @@ private:
 
 /**
  * Detects a steady state up to residual oscillation: noise below the voxel size never settles. Each
- * window of substeps is as long as all windows before it. It measures the displacement of the
- * surface since its beginning.
+ * window of substeps is as long as all windows before it. A window measures the displacement of the
+ * surface since the beginning of the window.
  */
 class SteadyWindow
 {
 public:
-  /** Called after each substep. attraction: during a window, the distance to a target has to
-   * decay to exp(-8) or less. Without attraction the length of a window is undefined. */
+  /** Called after each substep. attraction: a window is so long that the distance to a target
+   * decays by a factor of exp(-8) or less. Without attraction the length of a window is
+   * undefined. */
   void Observe(const LeafTable& table, double time, double attraction);
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
-   * window. Either a fraction of at most FewMoving moved, at least half of the fraction in the
-   * window before. Or the mean displacement was at most 0.25 voxel, and 0.5 to 1.25 of the mean
-   * displacement in the two windows before. */
+   * window. Either the moved fraction of the surface was at most FewMoving, and at least half of
+   * the moved fraction in the window before. Or the mean displacement was at most 0.25 voxel, and
+   * 0.5 to 1.25 of the mean displacement in the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
   /** Fraction that moved in the last window; NaN before the end of the first window. */

@@ -24,9 +24,9 @@ constexpr double FarthestInAll = 1.5;
 constexpr double Noticeable = 1e-5; // below, a measured rate is mostly rounding
 
 /**
- * |grad u| of a row by central differences, like those of tension, limited to a tenth around upwind
- * differences. Without limits they amplify noise, and a steep fold next to a crease grows without
- * bound.
+ * |grad u| of a row by central differences, like those of tension, limited to 0.9 to 1.1 times the
+ * upwind differences. Without limits, central differences amplify noise, and a steep fold next to a
+ * crease grows without bound.
  */
 ACTIVE_ALWAYS_INLINE void DisplacedSlopes(const float* u, float direction, float* slopes)
 {
@@ -80,8 +80,8 @@ void Displace(const ControlledBand& band, double distance)
   band.Rebuild(band.Set);
 }
 
-/** Restores a measure of the skin by the secant method. gain: initial estimate of its change per
- * displacement. */
+/** Restores a measure of the skin by the secant method. gain: initial estimate of the change of the
+ * measure per displacement. */
 void Restore(const ControlledBand& band, double SkinMeasure::*number, double wanted,
   SkinMeasure skin, double gain)
 {

@@ -1,7 +1,7 @@
 /**
  * Restores area or volume after each substep by a uniform displacement along the normal. This is a
- * projection, without stiffness or offset. (An averaged speed in the equation of motion drifts by 7
- * %.)
+ * projection, without stiffness or offset. (With an averaged speed in the equation of motion
+ * instead, area or volume drifts by 7 %.)
  */
 #ifndef ExactControl_h
 #define ExactControl_h

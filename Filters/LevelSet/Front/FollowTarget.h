@@ -24,8 +24,8 @@ struct FollowingBand
   SubstepBuffers& Buffers;
 };
 
-/** Samples the target, which has been moved to the time, and chooses the active set. Sets the speed
- * of nodes with samples in the affected leaves. Omits converged leaves if mayLeaveOut. */
+/** Samples the target at its current time, and chooses the active set. In the affected leaves, sets
+ * the speed of the nodes with samples. Omits converged leaves if mayLeaveOut. */
 TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
   const Target& target, AdvanceReport& report);
 

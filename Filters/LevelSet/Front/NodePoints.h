@@ -1,6 +1,6 @@
 /**
- * Points at which the target is evaluated for single nodes, besides or instead of the sample
- * points.
+ * Points at which the target is evaluated for single nodes, in addition to the sample points or in
+ * place of them.
  */
 #ifndef NodePoints_h
 #define NodePoints_h
@@ -33,9 +33,9 @@ inline bool HasNodePoints(const Motion& motion)
   return motion.Paper || !SamplesCrossings(motion);
 }
 
-/** Returns the nodes with points of their own. These are all active nodes with Node and
- * ClosestPoint, and none with Shifted. In the paper's scheme they are the nodes without a
- * crossed edge (its F(X) beyond the surface). */
+/** Returns the nodes with points of their own. With TargetEvaluation Node and ClosestPoint these
+ * are all active nodes. In the paper's scheme these are the active nodes without a crossed edge,
+ * the paper's F(X) beyond the surface. Otherwise there are none. */
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
 
 /** Writes the points of these nodes (x y z, world units), node by node; returns the end. */

@@ -2,13 +2,14 @@
  * The paper's own scheme, for comparison. All its differences make it worse, see front.md.
  *
  * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2). A node is activated when
- *   the surface comes near and keeps its value. It is deactivated when its value reaches a
- *   threshold.
- * - The target at a node with crossed edges is the plain mean at their crossings (4.3). At other
- *   nodes it is evaluated at the node itself.
+ *   the surface comes near; its value does not change then. An active node is deactivated when its
+ *   value reaches a threshold.
+ * - The target at a node with crossed edges is the plain mean at their crossings (4.3). For other
+ *   nodes, the target is evaluated at the node itself.
  * - Curvature (5) and gradient use central differences; the curvature is at most 4 per voxel.
  * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = phi / 3 h is
- *   the paper's potential. (7) has no consistent unit; it is evaluated in a box of unit size.
+ *   the paper's potential. The units of (7) are inconsistent; (7) is evaluated in a box of unit
+ *   size.
  * - The gradient norm is not maintained.
  */
 #ifndef PaperStep_h
@@ -32,8 +33,8 @@ struct PaperLimits
 
 /**
  * Completes the speed in the buffers: adds `uniform` and subtracts tension * curvature. If
- * attracted, the buffers have to contain the target's speed; otherwise their contents are ignored.
- * tension: Tension / h [length/time].
+ * `attracted`, the buffers have to contain the target's speed; otherwise the contents of the
+ * buffers are ignored. tension: Tension / h [length/time].
  */
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers);
@@ -44,13 +45,13 @@ double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize
 /** Sets Next from the complete speed. advection: dt / h. */
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers);
 
-/** Finds the layers, then activates and deactivates nodes. Active has to be the active nodes before
- * the substep. */
+/** Finds the layers, then activates and deactivates nodes. BandLeaf::Active has to contain the
+ * nodes that were active before the substep. */
 void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Prepares a band of this library's scheme for RebuildPaperBand, or one of the paper's scheme
- * for RebuildLayers. The paper's scheme begins with all nodes of the layers active. All ghosts
- * are marked as stale. */
+/** Prepares a band for a change of the scheme: a band of this library's scheme for
+ * RebuildPaperBand, or a band of the paper's scheme for RebuildLayers. The paper's scheme begins
+ * with all nodes of the layers active. All ghosts are marked as stale. */
 void BeginScheme(LeafTable& table, bool isPaper);
 
 }

@@ -129,8 +129,7 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   }
 }
 
-/** next += tensionAt(z) * kappa * |grad u|, kappa the sum of the principal curvatures, in
- * voxels. */
+/** next += tensionAt(z) * kappa * |grad u|. kappa: sum of the principal curvatures [1/voxel]. */
 template <class TensionAt>
 ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionAt, float* next)
 {

@@ -24,8 +24,9 @@ struct TargetSamples
 
 /**
  * Evaluates the target once at each point of these leaves, leaf by leaf. The crossings come first,
- * axis by axis, by the lower node of the edge; u is linear on the edges. Then come the points of
- * single nodes. Fills Samples and LargestTargetSlope.
+ * axis by axis, in the order of the lower nodes of their edges. The points of single nodes follow.
+ * A crossing is the zero of u interpolated linearly on the edge. Fills Samples and
+ * LargestTargetSlope.
  */
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);

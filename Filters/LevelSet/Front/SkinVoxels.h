@@ -1,8 +1,8 @@
 /**
  * Visits the voxels that the surface crosses, leaf by leaf, and their crossed edges.
  *
- * A leaf has the voxels whose lower corner is in the leaf. Their corners are the nodes 0..8 along
- * each axis; the last ones belong to the next leaves.
+ * A leaf has the voxels whose lower corner is in the leaf. The corners of these voxels are the
+ * nodes 0..8 along each axis; nodes 8 belong to the next leaves.
  */
 #ifndef SkinVoxels_h
 #define SkinVoxels_h
@@ -137,8 +137,8 @@ struct CrossedEdge
   std::int64_t Number; //< index of the crossing
 };
 
-/** Calls function(CrossedEdge) for crossed edges along an axis. The edges begin in the next leaf
- * at nx, ny, nz, each 0 or 1, or in the leaf itself. */
+/** Calls function(CrossedEdge) for crossed edges along an axis that begin in the leaf `owner`.
+ * next: offset of this leaf from the leaf of the voxels, 0 or 1 along each axis. */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   const LeafTable& table, std::int32_t owner, int axis, const int next[3], Function&& function)

@@ -4,8 +4,8 @@
  * The speed of a node with crossed edges is the mean over their sample points weighted by 1/t^2.
  * Here t is the fraction of the edge from the node to the crossing. For a plane the mean is the
  * value at the exact closest point. From these nodes the speed is extended outward, sweep by sweep.
- * It is the mean over the known neighbours, weighted by the difference of the distances to the
- * surface.
+ * The extended speed is the mean over the known neighbours, weighted by the difference of the
+ * distances to the surface.
  */
 #ifndef TargetSpeed_h
 #define TargetSpeed_h
@@ -19,8 +19,8 @@ namespace activesurface
 struct SubstepBuffers;
 
 /**
- * Fills SpeedOf = Attraction * (iso - F) at the nodes of these leaves that have samples or a point
- * of their own (NodePoints.h), and LargestSpeed. The speed is 0 if all samples were dropped. These
+ * Fills LargestSpeed, and SpeedOf = Attraction * (iso - F) at the nodes of these leaves that have
+ * samples or a point of their own (NodePoints.h). The speed is 0 if all samples were dropped. These
  * leaves, and the leaves before them along the axes, have to be sampled first.
  */
 void ApplySamples(
@@ -30,8 +30,9 @@ void ApplySamples(
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 
-/** Returns true for a cancelled attraction: outside the target's support the speed is inward and
- * bitwise identical everywhere, so an exact control cancels it. All leaves have to be sampled. */
+/** Returns true if an exact control cancels the whole attraction: the surface is outside the
+ * target's support, where the speed is inward and bitwise identical everywhere. All leaves have to
+ * be sampled. */
 bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers);
 
 /** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */

@@ -88,9 +88,9 @@ double StableStep(
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
 }
 
-// The rate of relaxation follows that of tracking: a fixed rate would bias tension. Relaxation uses
-// the same one-sided differences as advection (voxels per step). The two amplify each other unless
-// their sum stays below 1/2.
+// The rate of relaxation grows with `tracking`, because a fixed rate would bias tension. Relaxation
+// uses the same one-sided differences as advection [voxels per step]. Relaxation and advection
+// amplify each other unless the sum of their rates stays below 1/2.
 double RelaxationFor(double tracking, double advection)
 {
   return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));

@@ -1,5 +1,5 @@
 /**
- * The stable length of a substep, and its coefficient of reinitialisation.
+ * The stable length of a substep, and the coefficient of reinitialisation of a substep.
  */
 #ifndef TimeStep_h
 #define TimeStep_h
@@ -27,8 +27,8 @@ struct PenaltyForce
 /** now, start: measures of the skin, in world units. */
 PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start);
 
-/** The value to conserve: the property, or the value at the start. Throws std::invalid_argument
- * if there is none. */
+/** Return the area or volume to conserve: TargetArea or TargetVolume, or the value at the start.
+ * Throw std::invalid_argument if there is no such value. */
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
@@ -53,9 +53,9 @@ void CheckStep(double step, double voxelSize, double remaining);
 void CheckSize(std::size_t count, std::size_t maximum);
 
 /** Throws std::runtime_error if the potential would be unbounded after the substep that begins at
- * `time`. Called before the next potential is committed, so that the last one stays. One check is
- * enough: measures, output and displacements of a bounded potential are finite, and the paper's
- * scheme clamps. */
+ * `time`. Called before the next potential is committed, so that the last bounded potential is
+ * kept. No other check is needed: measures, output and displacements of a bounded potential are
+ * finite, and the paper's scheme clamps the potential. */
 void CheckBounded(bool isUnbounded, double time);
 
 /** The factor from a speed to voxels per step. */

@@ -4,9 +4,9 @@
  * The target is cut off at walls and obstacle, so the surface stops by itself. Other motions
  * (Tension, controls) are stopped by clamping the potential to the distance to the walls and the
  * obstacle's depth. Cut and clamp are evaluated at the same nodes, so a steady surface stays
- * steady. The clamp without the cut ends in the same position. But then the speed of a surface
- * pressed on a wall stays large and limits the time step, which costs 3 to 15 times as many
- * substeps.
+ * steady. With the clamp but no cut, the surface would stop at the same position. But the speed of
+ * a surface pressed on a wall would stay large and limit the time step: 3 to 15 times as many
+ * substeps would be needed.
  */
 #ifndef WalledTarget_h
 #define WalledTarget_h
@@ -71,15 +71,15 @@ struct SurfaceBounds
   double VoxelSize;
 };
 
-/** Clamps Next at all active nodes of the active leaves to at least the distance to the walls
- * and the depth in the obstacle [voxels]. Called after each write to Next, before CommitStep.
- * Leaves unknown to the obstacle are sampled. Other leaves cost only a test if they are farther
- * away than its Reach. */
+/** Clamps Next at all active nodes of the active leaves to at least the distance to the walls and
+ * the depth in the obstacle [voxels]. Called after each write to Next, before CommitStep. Samples
+ * the obstacle in leaves where it has not been sampled. Sampled leaves farther from the obstacle
+ * than Obstacle::Reach cost only a test. */
 void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
   SubstepBuffers& buffers);
 
-/** Samples the obstacle (or null) in all leaves, before a substep changes anything. Throws
- * std::runtime_error if the obstacle is NaN in one of them. */
+/** Samples the obstacle in all leaves, before a substep changes anything. obstacle: may be null.
+ * Throws std::runtime_error if the obstacle is NaN in a leaf. */
 void CheckObstacle(const LeafTable& table, Obstacle* obstacle);
 
 }

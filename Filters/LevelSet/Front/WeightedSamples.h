@@ -1,8 +1,9 @@
 /**
  * Means of the target's values on the crossed edges around each node of a leaf (the paper, 4.3).
  *
- * Each sample is weighted by 1/t^2, t = the fraction of its edge from the node to the crossing. If
- * the surface is a plane, the mean is the value at the point of the plane closest to the node.
+ * The weight of a sample is 1/t^2, where t is the fraction of its edge from the node to the
+ * crossing. If the surface is a plane, the mean is the value at the point of the plane closest to
+ * the node.
  */
 #ifndef WeightedSamples_h
 #define WeightedSamples_h

@@ -1,5 +1,5 @@
 /**
- * A copy of a band before a substep, for an error that interrupts the substep.
+ * A copy of a band before a substep, to restore the band if an error interrupts the substep.
  */
 #ifndef BandBackup_h
 #define BandBackup_h

@@ -28,7 +28,7 @@ struct Candidates
   }
 };
 
-/** Growth g from three nodes in one direction. step: increase from the second to the first one; a
+/** Growth g from three nodes in one direction. step: increase from the second node to the first; a
  * step of 0 has weight 0. */
 ACTIVE_ALWAYS_INLINE float LimitedGrowth(float step, float second, float third)
 {
@@ -196,7 +196,7 @@ private:
 };
 
 /** Nodes of a layer that the last substep has not updated: ghosts, and nodes that entered the band.
- * Only affected leaves can contain nodes that entered. */
+ * Only affected leaves can contain nodes that entered the band. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
   const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
@@ -236,8 +236,8 @@ LeafList Without(const LeafList& leaves, const LeafList& others)
   return rest;
 }
 
-// Three-point rays over three layers end up to nine nodes from an updated node: beyond the affected
-// leaves.
+// Fills ghosts in leaves next to the affected leaves. Three-point rays over three layers reach
+// ghosts up to nine nodes from an updated node, beyond the affected leaves.
 void FillBesideAffected(LeafTable& table, const ActiveSet& set)
 {
   const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);

@@ -10,7 +10,7 @@
  * The rays of two nodes and the corners of squares count too (LayerFill) if the weights sum to less
  * than 1 % of the largest (a1 - a2)^2. Three points make tension converge; four would be more exact
  * but are unstable at a steady state. A node that enters the band was not updated by this substep.
- * Its old value would be an error of 0.1 %, so the node is filled too.
+ * Its old value would be wrong by 0.1 %, so the node is filled too.
  */
 #ifndef GhostFill_h
 #define GhostFill_h

@@ -10,15 +10,16 @@ namespace activesurface
 {
 
 /** Returns the crossed voxels of a row, one bit each, from the sign bits of the four rows of
- * corners around the row. The corners of a voxel are at its own bit and at the next. */
+ * corners around the row. In each of the four rows, the corners of a voxel are the voxel's own bit
+ * and the next bit. */
 ACTIVE_ALWAYS_INLINE unsigned CrossedInRow(unsigned a, unsigned b, unsigned c, unsigned d)
 {
   const unsigned any = a | b | c | d, all = a & b & c & d;
   return (any | any >> 1) & ~(all & all >> 1);
 }
 
-/** Finds UpToLayer[0] of these leaves from the signs. Sets MissingNeighbours to the neighbours
- * without a leaf that have a node of layer 0. */
+/** Finds UpToLayer[0] of these leaves from the signs. Sets MissingNeighbours to those neighbours
+ * that have no leaf but contain a node of layer 0. */
 void FindLayerZero(LeafTable& table, const LeafList& leaves);
 
 }

@@ -125,8 +125,8 @@ ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
   }
 }
 
-/** Sets nodes that have left the layers to the background. Other nodes outside already have this
- * value. */
+/** Sets nodes that have left the layers to the background. Other nodes outside the layers have this
+ * value already. */
 ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf)
 {
   leaf.HoldsStaleValue.Without(leaf.UpToLayer[LastLayer])
@@ -151,8 +151,8 @@ struct UseLayers
   }
 };
 
-/** Finds the layers. New leaves change layers in the leaves next to them; these are searched again.
- */
+/** Finds the layers. New leaves change the layers of their neighbour leaves, so the neighbour
+ * leaves are searched again. */
 void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
   LeafList leaves = set.Affected;

@@ -1,6 +1,6 @@
 /**
  * The layers of the band, from the signs of the potential, in the affected leaves of a substep. In
- * other leaves they do not change.
+ * other leaves the layers do not change.
  */
 #ifndef Layers_h
 #define Layers_h
@@ -11,8 +11,9 @@ namespace activesurface
 {
 
 /**
- * Finds the layers and the crossed edges of the affected leaves, from Inside of every leaf. Creates
- * the leaves that a layer reaches: in the table, in the tree, and as affected leaves in the set.
+ * Finds the layers and the crossed edges of the affected leaves, from Inside of every leaf. If a
+ * layer extends to a missing leaf, creates this leaf in the table and in the tree, and marks this
+ * leaf as affected in the set.
  */
 void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 

@@ -1,6 +1,7 @@
 /**
- * The values of a leaf and of the halo that stencils read, in contiguous memory: two nodes along
- * the axes, one along the diagonals of two axes. Other values of the block are not set.
+ * The values of a leaf and of the halo that stencils read, in contiguous memory. The halo is two
+ * nodes wide along the axes, and one node wide along the diagonals of two axes. Other values of the
+ * block are not set.
  */
 #ifndef LeafBlock_h
 #define LeafBlock_h

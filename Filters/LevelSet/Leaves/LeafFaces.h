@@ -26,8 +26,8 @@ inline bool TouchesFace(const LeafMask& mask, int axis, int sign)
   return any != 0;
 }
 
-/** Returns the nodes of the next leaf, in the direction of an axis and a sign, next to these nodes.
- */
+/** Returns the nodes of the next leaf, in the direction of an axis and a sign, that are neighbours
+ * of the nodes in `mask`. */
 inline LeafMask SeenAcross(const LeafMask& mask, int axis, int sign)
 {
   return sign > 0 ? SeenBehind(LeafMask(), mask, axis, 1) : SeenAhead(LeafMask(), mask, axis, 1);

@@ -1,6 +1,6 @@
 /**
- * Numbers and bits some steps along an axis from the nodes of a leaf, in the leaf or in its
- * neighbours on the axis.
+ * Reads numbers and bits of nodes that are some steps along an axis from the nodes of a leaf: in
+ * the leaf, or in its neighbours on the axis.
  */
 #ifndef LeafLine_h
 #define LeafLine_h
@@ -33,8 +33,8 @@ public:
   }
 
   /**
-   * Returns the number `steps` along the axis. Without a neighbour leaf the value is arbitrary, and
-   * another thread may write the value at the same time (relaxed atomic load). Callers must mask
+   * Returns the number `steps` along the axis. The value is arbitrary without a neighbour leaf, or
+   * if another thread writes the value at the same time (relaxed atomic load). Callers must mask
    * out both cases.
    */
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const

@@ -1,6 +1,6 @@
 /**
  * The leaves of the potential, each with its masks and its 26 neighbours. Leaves are in the order
- * of the tree, except those added since Rebuild, which come last.
+ * of the tree, except leaves added since Rebuild, which come last.
  *
  * The table has all data derived from the signs of the potential: layers, active nodes, crossed
  * edges. All passes over the band run over this table, one leaf at a time, in parallel. A pass
@@ -57,8 +57,8 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** The speed in a leaf. It is valid until the leaf or a neighbour is updated, or the target changes
- * there. */
+/** The speed in a leaf. The speed is valid until the leaf or a neighbour is updated, or the target
+ * changes there. */
 struct LeafSpeed
 {
   bool IsKnown = false;

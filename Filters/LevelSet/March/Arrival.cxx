@@ -84,8 +84,8 @@ void ArrivingTarget::Evaluate(
   }
 }
 
-// Lengthens the value to the remaining distance, which falls linearly to 0 within a voxel of the
-// target. The result is at least |F|, or two voxels if |F| is larger.
+// Lengthens the value F to the remaining distance, which falls linearly to 0 within a voxel of the
+// target. The magnitude of the result is at least |F| or two voxels, whichever is smaller.
 void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
 {
   const double distance = std::fabs(value), voxel = this->VoxelSize;
@@ -103,8 +103,8 @@ void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) co
 }
 
 /**
- * Decrease of ln(remaining time) in each interval; distances fall by the same factor. The sum of 10
- * would leave 1/22000 of the distances.
+ * Decrease of ln(remaining time) in each interval; distances fall by the same factor. The decays
+ * sum to 10, which would leave 1/22000 of the distances.
  */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
   .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };

@@ -4,9 +4,9 @@
  *
  * The speed of a part of the surface is its remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
- * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too.
- * Attraction makes this speed. Its rate is constant in each of many short intervals, and distances
- * have fallen as required at the end of each interval.
+ * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too. The
+ * speed is made by an Attraction that is constant in each of many short intervals. At the end of
+ * each interval the distances have fallen as required.
  */
 #ifndef Arrival_h
 #define Arrival_h
@@ -41,8 +41,8 @@ public:
   Arrival(const NarrowBand& band, Target& target, const double bounds[6]);
   ~Arrival();
 
-  /** NarrowBand::Advance for a surface that arrives at the time `end`. Before `end` the Attraction
-   * of the motion is ignored and no parts are created. */
+  /** Moves the band like NarrowBand::Advance, so that the surface arrives at the target at the time
+   * `end`. Before `end` the Attraction of the motion is ignored and no parts are created. */
   AdvanceReport Advance(NarrowBand& band, double time, double end, const Motion& motion,
     const ProgressFunction& progress = {}) const;
 

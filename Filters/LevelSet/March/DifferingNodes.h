@@ -1,6 +1,6 @@
 /**
- * Nodes of a coarser lattice at which the surface and its target are on different sides: the
- * surface still has to move there.
+ * Nodes of a coarser lattice at which the surface and its target are on different sides: at these
+ * nodes the surface still has to move.
  *
  * Node (i,j,k) is at (i,j,k) * GetSpacing(). The search starts at the surface and follows connected
  * nodes along edges. Its cost is proportional to the volume between the surface and the target.
@@ -33,8 +33,8 @@ struct ArrivalSearch
   std::array<double, 6> Bounds; // xmin xmax ymin ymax zmin zmax
 };
 
-/** Maximum number of nodes of a lattice, which need a fraction of a second. A lattice with more
- * nodes is coarsened by factors of two, up to LargestStride. */
+/** Maximum number of nodes of a lattice; the search of as many nodes needs a fraction of a second.
+ * A lattice with more nodes is coarsened by factors of two, up to LargestStride. */
 constexpr std::size_t MostDifferingNodes = 400000;
 constexpr int LargestStride = 8;
 
@@ -61,8 +61,8 @@ public:
   /** Returns the given nodes that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;
 
-  /** Returns the smaller depth [voxels] at nodes where surface and target are both inside, or
-   * both outside; elsewhere -1. */
+  /** Returns the smaller of the depths in surface and target [voxels] at nodes that are inside both
+   * (areInside) or outside both (not areInside); -1 at other nodes. */
   std::vector<double> FindCommonDepths(
     const std::vector<openvdb::Coord>& places, bool areInside) const;
 

@@ -61,8 +61,8 @@ public:
 
 private:
   /** Adds a core for each part that meets the surface only in a region too thin to grow from.
-   * Without a core, this overlap would vanish together with the adjacent regions that only the
-   * surface has. The part would then never grow. */
+   * Without a core, this region would vanish together with the adjacent regions that only the
+   * surface has, and the part would never grow. */
   void AddBarelyReached()
   {
     std::vector<char> isKnown(this->Known);
@@ -101,7 +101,7 @@ private:
   }
 
   /** Returns the node of a part in its innermost layer. Distances do not measure depth: far from a
-   * mesh they are all equal. */
+   * mesh all distances are equal. */
   std::size_t FindDeepest(const std::vector<std::size_t>& part)
   {
     this->Layer.resize(this->Nodes.Size(), -1);

@@ -43,7 +43,8 @@ public:
   }
 
   /** Runs the march with exact distances around cores, where paths begin in all directions: the
-   * eikonal equation is inaccurate there. Returns y for each x. */
+   * eikonal equation is inaccurate there. Returns y for each x; see RemainingDistance.h for x and
+   * y. */
   std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
     return this->Run(values,
@@ -205,8 +206,8 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** Returns the excess length of the path from x to y over T(y) - T(x), if it is small: x is then a
- * bump on the surface. For a large excess x is beside the path, and the result is 0. */
+/** Returns `detour`, the excess of d(x,y) over `gain` = T(y) - T(x), if the detour is small: x is
+ * then a bump on the surface. Returns 0 for a large detour: x is then beside the path. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain
@@ -285,8 +286,9 @@ void RemainingDistance::Keep(DifferingNodes& nodes)
   }
 }
 
-/** Continues the distance to the neighbours across the surface, from which the path is longer.
- * Interpolated values at the surface then are between the two distances. */
+/** Continues the distance to the neighbours across the surface. The path from a neighbour is
+ * longer. Interpolated values at the surface are then between the distances at the node and at the
+ * neighbour. */
 void RemainingDistance::ExtendBehindSurface(
   const DifferingNodes& nodes, std::size_t i, double distance)
 {

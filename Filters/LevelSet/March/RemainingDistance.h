@@ -7,13 +7,12 @@
  *
  *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
  *
- * If the path to y passes through x, K is T(y) - T(x); beside that path K is smaller. A front of
- * speed K / (remaining time) is flat in any thin part that it fills, and arrives everywhere at
- * once.
+ * If the path to y passes through x, K is T(y) - T(x); off that path K is smaller. A front of speed
+ * K / (remaining time) is flat in any thin part that it fills, and arrives everywhere at once.
  *
- * Exception: K is d(x,y) if y is in the middle of a vanishing part, and d(x,y) is longer than T(y)
- * - T(x) by less than a tenth. Such a point x is a bump: it has to move farther than its
- * neighbours, or it would grow. Near the surface K is about |F| if the target is a distance.
+ * Exception: K is d(x,y) if y is in the middle of a vanishing part, and d(x,y) exceeds T(y) - T(x)
+ * by less than a tenth. Such a point x is a bump, which has to move farther than its neighbours, as
+ * otherwise the bump would grow. Near the surface K is about |F| if the target is a distance.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h

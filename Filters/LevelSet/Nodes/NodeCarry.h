@@ -13,8 +13,8 @@ namespace activesurface
 {
 
 /** Writes the carried values of a leaf, clamped to +-NodeLimit. D is linear between the points of
- * the motion. Values are interpolated linearly, with second differences along the axes. A row keeps
- * `psi` if its old nodes fill a box of more than 128^3 nodes. */
+ * the motion. Values are interpolated linearly, with second differences along the axes. A row is
+ * set to `psi` if the old nodes that the row needs fill a box of more than 128^3 nodes. */
 void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion& motion,
   const float* psi, float* carried);
 

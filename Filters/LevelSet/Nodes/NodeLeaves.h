@@ -121,8 +121,8 @@ private:
   IndexMap Numbers;
 };
 
-/** The numbers of a leaf and of W <= 4 nodes around the leaf. Rows of 16 along z begin 4 nodes
- * before the leaf. Nodes of missing leaves have + or - `outside`. */
+/** The numbers at the nodes of a leaf, and at W <= 4 layers of nodes around the leaf. Rows of 16
+ * along z begin 4 nodes before the leaf. Nodes of missing leaves have + or - `outside`. */
 template <int W>
 struct NodeBlock
 {

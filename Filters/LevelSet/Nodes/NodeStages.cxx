@@ -17,13 +17,14 @@ constexpr int FewestStages = 4;
 
 /** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
  * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Differences over 8 nodes do
- * not damp waves of 8 nodes: stages are unstable if they apply more than half of the tension. */
+ * not damp waves of 8 nodes: stages are unstable if these differences apply more than half of the
+ * tension. */
 constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
 
 /**
- * Factor of the attraction within the noise. At the usual attraction, distances fall by a sixth per
- * frame.
+ * Factor of the attraction within the noise. With this factor and the usual attraction, distances
+ * fall by a sixth per frame.
  */
 constexpr float SlowShare = .03f;
 /**
@@ -31,8 +32,8 @@ constexpr float SlowShare = .03f;
  * NoiseOfFull times as large, because the particles of a body agree on the surface.
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
-/** If attraction and tension are out of balance by less than Imbalance times the noise, both are
- * reduced to SlowestShare of a. */
+/** If attraction and tension are out of balance by less than Imbalance times the noise, both rates
+ * are reduced to the fraction SlowestShare of the attraction. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
 /** Weight of tension as a function of bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
@@ -97,8 +98,8 @@ struct StageKernel
   const StageCoefficients& Law;
   int Count;
 
-  /** Finds the tension of all rows first. The second loop is a chain of divisions. Its short
-   * iterations let the processor overlap several rows. */
+  /** The first loop finds the tension of all rows. The second loop is a chain of divisions. The
+   * short iterations of the second loop let the processor overlap several rows. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     if (this->Fields.IsFar[i])
@@ -144,8 +145,8 @@ private:
     return BitsOf(isFar) == 0xffu;
   }
 
-  /** Returns b g kappa |grad u|. Tension above the stable limit of narrow differences is computed
-   * by wider ones. */
+  /** Returns b g kappa |grad u|; see NodeStages.h. Differences over 2 nodes compute the tension up
+   * to their stable limit, wider differences compute the rest. */
   ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& bulk) const
   {
     if (!(this->Law.Tension > 0.f))
@@ -202,8 +203,8 @@ private:
     return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
   }
 
-  /** Reduces the attraction within the noise of a body. Reduces attraction and tension by the same
-   * factor where they nearly balance, so that fixed points stay. */
+  /** Reduces the attraction within the noise of a body. Where attraction and tension nearly
+   * balance, reduces both terms by the same factor, so that fixed points do not move. */
   ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
     const Lanes& bulk, Lanes& rate, Lanes& lambda) const
   {

@@ -1,5 +1,6 @@
 /**
- * Distances to the target at the nodes, and the stages that move the potential towards them:
+ * Distances to the target at the nodes, and the stages that move the potential w towards these
+ * distances:
  *
  *   w' = b g kappa |grad w| + a s (psi - w)
  *
@@ -42,8 +43,8 @@ struct NodeFields
   const NodeHalo& Halo;
 };
 
-/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit. G is 1 far from the
- * target. psi is at the limit outside the rows of the shell. */
+/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit. G is `potential`, which
+ * is 1 far from the target. psi is at the limit outside the rows of the shell. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi);
 
 /** Returns the number of stages for which the tension is stable. */

@@ -78,8 +78,8 @@ openvdb::FloatTree::Ptr NodeStep::MakeTree(const NodeFrame& frame, const Motion&
   return tree;
 }
 
-/** Adds tiles inside the surface. Leaves of other ranks are missing, so flood fill cannot find
- * them. */
+/** Adds tiles inside the surface. Flood fill cannot find these tiles, because leaves of other ranks
+ * are missing. */
 void NodeStep::AddSides(
   const NodeFrame& frame, const Motion& motion, openvdb::FloatTree& tree) const
 {

@@ -18,8 +18,8 @@ namespace
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
 /** Cosine between the normal of a surface and the direction to a wall: the surface rests on the
- * wall in full from FacesWall on, and not at all up to LeavesWall. Where a free surface meets a
- * wall, and at edges of the box, it is therefore as round as without walls. */
+ * wall in full from FacesWall on, and not at all up to LeavesWall. A free surface that meets a
+ * wall, and a surface at an edge of the box, is therefore as round as without walls. */
 constexpr float LeavesWall = .75f, FacesWall = .95f;
 
 double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
@@ -121,8 +121,8 @@ bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Mo
     (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
 }
 
-/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if neither is
- * near. */
+/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if no wall and
+ * no obstacle is near. */
 bool NodeStep::FindDepths(
   const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
 {
@@ -148,8 +148,8 @@ bool NodeStep::IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const
     DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
 }
 
-/** Shifts a surface that is near a wall onto the wall, where it is flat. The sides of a periodic
- * box are no walls. gap: see NodeTarget. Overwrites Psi. */
+/** Shifts a surface that is near a wall onto the wall, where the surface is then flat. The sides of
+ * a periodic box do not count as walls. gap: see NodeTarget. Overwrites Psi. */
 void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap)
 {
   if (!motion.Box.Present || !(gap > 0.f))

@@ -1,5 +1,5 @@
 /**
- * Positions in a periodic box that nodes beyond its sides repeat.
+ * Positions in a periodic box that are repeated by the nodes beyond the sides of the box.
  */
 #ifndef PeriodicLattice_h
 #define PeriodicLattice_h

@@ -61,8 +61,8 @@ std::vector<std::int64_t> Agreement::Begin(std::int64_t own) const
   return all;
 }
 
-// The buffers of a large message may exhaust the memory of one rank, so ranks check for failures
-// again after their allocation.
+// The buffers of a large message may exhaust the memory of one rank, so the ranks check for
+// failures again after the allocation of these buffers.
 std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
 {
   constexpr std::int64_t much = std::int64_t(1) << 20;

@@ -1,9 +1,9 @@
 /**
- * Collective operations of ranks that also agree on failure and on stopping.
+ * Collective operations of ranks, which report failure and cancellation to all ranks.
  *
  * All ranks call the same operations in the same order. A rank that has failed calls Fail instead
  * of the next operation. That operation then throws RankError with the same message on all ranks,
- * so no rank waits for a failed one. A rank whose process has ended cannot call Fail; MPI has to
+ * so no rank waits for a failed rank. A rank whose process has ended cannot call Fail; MPI has to
  * detect that.
  */
 #ifndef Agreement_h
@@ -57,20 +57,20 @@ public:
 
   ///@{
   /** Collective. Sends bytes to each rank and returns the bytes that each rank has sent to this
-   * one, by rank. sizes: numbers of bytes from each rank; without them the ranks exchange the sizes
-   * first. Throw RankError if a rank has failed. */
+   * rank, by rank. sizes: numbers of bytes from each rank; without `sizes` the ranks first
+   * exchange these numbers. Throw RankError if a rank has failed. */
   std::vector<Bytes> Distribute(std::vector<Bytes> toEach) const;
   std::vector<Bytes> Distribute(
     std::vector<Bytes> toEach, const std::vector<std::size_t>& sizes) const;
   ///@}
 
-  /** Collective. Returns the bytes of each rank, by rank, on rank 0, and nothing on the other
-   * ranks. */
+  /** Collective. On rank 0, returns the bytes of each rank, by rank; on other ranks, returns
+   * nothing. */
   std::vector<Bytes> GatherToFirst(Bytes own) const;
 
   ///@{
-  /** Collective. Returns the value of each rank, by rank; or the values of all ranks, concatenated
-   * by rank. */
+  /** Collective. ExchangeValue returns the value of each rank, by rank. ExchangeValues returns the
+   * values of all ranks, concatenated by rank. */
   template <class Value>
   std::vector<Value> ExchangeValue(const Value& own) const
   {
@@ -93,9 +93,9 @@ public:
    */
   bool GoOn(bool own) const;
 
-  /** Replaces the operation that the other ranks call. Throws RankError on all ranks, with the
-   * message of the lowest rank that failed. The number of that rank precedes the message, unless
-   * all ranks have failed with the same message. */
+  /** A rank that failed calls this in place of the operation that the other ranks call. Throws
+   * RankError on all ranks, with the message of the lowest rank that failed. The number of that
+   * rank precedes the message, unless all ranks have failed with the same message. */
   [[noreturn]] void Fail(const std::string& sentence) const;
   /**
    * Fails because memory is exhausted. Throws RankMemoryError on all ranks, unless a lower rank has
@@ -111,8 +111,8 @@ private:
 };
 
 /** Runs a task on every rank. The task may call collective operations. An exception on one rank
- * becomes a RankError on all ranks. Ranks wait for each other at the end, so that no rank has left
- * before a late error of another. */
+ * becomes a RankError on all ranks. Ranks wait for each other at the end, so that a late error of
+ * a rank still reaches all ranks. */
 template <class Task>
 void RunTogether(const Agreement& ranks, Task&& task)
 {

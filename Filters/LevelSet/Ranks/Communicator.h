@@ -29,12 +29,12 @@ public:
   /** Collective. Returns `own` of each rank, by rank. */
   virtual std::vector<std::int64_t> AllGather(std::int64_t own) = 0;
 
-  /** Collective. Copies `own` of each rank to `all`, by rank. The elements have to have the right
-   * sizes. */
+  /** Collective. Copies `own` of each rank to `all`, by rank. The elements of `all` have to have
+   * the sizes of the messages. */
   virtual void AllGather(const Bytes& own, std::vector<Bytes>& all) = 0;
 
   /** Collective. Sends toEach[rank] to each other rank and receives fromEach[rank] from it. The
-   * elements of fromEach have to have the right sizes. Empty messages are not sent. */
+   * elements of fromEach have to have the sizes of the messages. Empty messages are not sent. */
   virtual void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) = 0;
 };
 

@@ -7,8 +7,8 @@
 namespace activesurface
 {
 
-/** Nodes of a tree span 4096, 128 and 8 lattice nodes along an axis. Their children are ordered by
- * x, y, z. */
+/** The nodes of an OpenVDB tree span 4096, 128 and 8 lattice nodes along an axis. The children of a
+ * tree node are ordered by x, y, z. */
 bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b)
 {
   for (const int shift : { 12, 7, 3 })
@@ -79,8 +79,9 @@ std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<
   return domain;
 }
 
-// Cuts the costs between the ranks below and from `middle` on. The plane is normal to the longest
-// side of the costs' box. It divides the costs as nearly as possible in the ratio of the ranks.
+// Divides the leaves by a plane between the ranks below `middle` and the ranks from `middle` on.
+// The plane is normal to the longest side of the leaves' box. The plane divides the costs as nearly
+// as possible in the ratio of the numbers of ranks.
 void Domain::Divide(CostIterator begin, CostIterator end, int first, int last)
 {
   const int middle = first + (last - first) / 2;

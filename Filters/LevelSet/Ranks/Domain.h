@@ -17,9 +17,9 @@
 namespace activesurface
 {
 
-/** costsBefore: for each leaf the costs of all leaves before it, and at the end the total. Returns
- * the first leaf of each rank, and at the end the number of leaves. A range differs from an even
- * share by less than the costs of one leaf at each of its ends. */
+/** costsBefore: for each leaf the sum of the costs of all leaves before it, followed by the total
+ * cost. Returns the first leaf of each rank, followed by the number of leaves. The costs of a rank
+ * differ from the mean by less than the costs of the leaves at both ends of its range. */
 std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);
 
 /** Cost of a leaf, in units of the cost of a particle. */
@@ -62,8 +62,8 @@ public:
   /** Replaces `others` by the other ranks that own neighbours of a leaf, ascending. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
-  /** Returns the rank that counts a leaf. Counters ascend in the order of the tree, and count about
-   * equal numbers of the sampled leaves. */
+  /** Returns the rank that counts the vertices of a leaf. The ranks of the leaves ascend in the
+   * order of the tree. Each rank counts about the same number of sampled leaves. */
   int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }

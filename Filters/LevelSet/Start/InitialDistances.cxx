@@ -111,8 +111,9 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if a node is below -1e-8 * largest, the largest value around. Fast sweeping treats
- * smaller magnitudes as zero, and rejects a function without other inside nodes. */
+/** Returns true if the value at a node is below -1e-8 * largest. largest: the largest value around.
+ * Fast sweeping treats smaller magnitudes as zero, and rejects a function without other inside
+ * nodes. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -178,8 +179,8 @@ std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
 class SweptSlab
 {
 public:
-  /** Planes of leaves around a slab. The surface may end at the margin's faces; the error of
-   * distances there does not reach the slab. */
+  /** Planes of leaves around a slab. The surface may be cut off at the faces of the margin. The
+   * resulting error of distances does not extend to the slab. */
   static constexpr int Margin = 2;
 
   SweptSlab(const openvdb::FloatTree& function, const Slab& slab)

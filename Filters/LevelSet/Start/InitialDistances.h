@@ -28,9 +28,10 @@ struct NodeFunction
 };
 
 /**
- * Gives nodes near the crossed ones the function's first-order distance F/|grad F|, which is smooth
- * where F is. It is clamped to 0.5 to 1.5 times OpenVDB's fast-sweeping distance. Sweeping needs
- * several times the memory of its input, so it is done slab by slab.
+ * Sets the nodes near the crossed nodes to the function's first-order distance F/|grad F|, which is
+ * smooth where F is smooth. This distance is clamped to 0.5 to 1.5 times OpenVDB's fast-sweeping
+ * distance. Sweeping needs several times the memory of its input, so the sweeping is done slab by
+ * slab.
  *
  * Returns a tree of distances [voxels] with background Far and inside tiles -Far; null if nothing
  * is inside. Clears the crossed nodes to free their memory.

@@ -21,9 +21,9 @@ namespace
 {
 
 /** Rejects too large boxes before sampling. In a box of n^3 voxels, a ball of 0.6 of its diameter
- * needs about 7 n^2 active voxels, and a ball that fills the box 20 n^2; the limit is 7 n^2. A box
- * is also rejected if sampling its nodes would take minutes, as with a stray particle far from the
- * others. */
+ * needs about 7 n^2 active voxels, and a ball that fills the box 20 n^2; the limit is 7 n^2.
+ * Rejects, too, a box whose nodes would need minutes to sample, as with a stray particle far from
+ * all other particles. */
 void CheckSize(const LatticeBox& box, std::size_t maximum)
 {
   constexpr double nodesPerActiveVoxel = 40.0;

@@ -21,8 +21,8 @@ namespace activesurface
 class LatticeFunction
 {
 public:
-  /** The caller owns the function and the limits. On the faces of the limits and beyond, values
-   * are replaced by their magnitude. Without limits values are unchanged. */
+  /** The caller owns the function and the limits. At nodes on or beyond the faces of the limits,
+   * values are replaced by their magnitudes. Without limits values are unchanged. */
   LatticeFunction(
     double voxelSize, const InitialFunction& function, const LatticeBox* limits = nullptr)
     : VoxelSize(voxelSize)

@@ -22,15 +22,16 @@ namespace activesurface
 namespace
 {
 
-/** Number of node layers around a surface point's nearest node that contain all corners of crossed
- * voxels near the point: both ends of each edge crossed within Reach, and one node more. */
+/** Number of node layers around a surface point's nearest node that contain all corners of
+ * crossed voxels near the point. These are the ends of each edge crossed within Reach, and one
+ * more node. */
 int FindRings(const SurfacePoints& surface, double voxelSize)
 {
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;
 }
 
-/** Adds the nodes near the surface points. The surface covers at least a square of Reach around
- * each point. This estimate rejects too many nodes before they are created. */
+/** Adds the nodes near the surface points. Assumes that each point represents a surface of Reach *
+ * Reach, to reject too many nodes before they are created. */
 void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximumNumberOfActiveVoxels, openvdb::MaskTree& wanted)
 {
@@ -170,8 +171,8 @@ public:
   {
   }
 
-  /** Combines each node's bit with the bits of the seven nodes ahead of it, or behind it: the
-   * corners of a voxel. */
+  /** Combines each node's bit with the bits of the seven nodes ahead of the node (sign > 0), or
+   * behind the node: these are the corners of a voxel. */
   template <class Combine>
   void CombineCorners(std::vector<LeafMask>& masks, int sign, Combine&& combine) const
   {
@@ -329,8 +330,8 @@ LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
   return within;
 }
 
-/** Fills unsampled leaves that have an inside node across one of their faces. No surface is in
- * such a leaf, so it is inside. */
+/** Fills unsampled leaves that have an inside node across one of their faces. Such a leaf contains
+ * no surface, so the leaf is inside. */
 void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 {
   for (std::size_t i = 0; i < leaves.Size(); ++i)

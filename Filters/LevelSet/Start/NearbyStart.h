@@ -12,9 +12,9 @@ namespace activesurface
 {
 
 /**
- * Equals MakeInitialPotential, at a cost proportional to the function's regions, independent of the
- * bounds. The function is sampled in the leaves that the regions touch. Space outside the regions
- * is filled from inside nodes leaf by leaf, without evaluations.
+ * Returns the potential of MakeInitialPotential, at a cost proportional to the function's regions,
+ * independent of the bounds. The function is sampled in the leaves that the regions touch. Space
+ * outside the regions is filled from inside nodes leaf by leaf, without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

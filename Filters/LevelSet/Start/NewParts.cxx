@@ -8,8 +8,8 @@ namespace activesurface
 namespace
 {
 
-/** Adds to `grown` all nodes of `nodes` connected with it along edges. waiting: leaves from
- * which to grow. */
+/** Adds to `grown` all nodes of `nodes` that edges connect with `grown`. waiting: leaves from which
+ * to grow. */
 void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown)
 {
   while (!waiting.empty())

@@ -3,11 +3,12 @@
  * skin.
  *
  * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
- * skin reaches such nodes if lattice edges connect them with layer 0, where its sample points are.
- * The target repels the skin from all other such nodes: these are the new parts and voids. The
- * search follows connected nodes, from the target's regions, and from parts of the input shapes
- * that the skin does not meet at all. Voids, and parts of input shapes, have to be wide: Tension or
- * the lattice would remove narrow ones, and the search would find them again.
+ * skin will reach such nodes if lattice edges connect the nodes with layer 0, where the sample
+ * points of the skin are. The target repels the skin from all other such nodes: these are the new
+ * parts and voids. The search follows connected nodes, from the target's regions, and from parts of
+ * the input shapes that the skin does not meet at all. Voids, and parts of input shapes, have to be
+ * wide: Tension or the lattice would remove narrow parts, and the search would find these parts
+ * again.
  */
 #ifndef NewParts_h
 #define NewParts_h

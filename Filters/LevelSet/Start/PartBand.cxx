@@ -21,10 +21,11 @@ namespace
 /**
  * Distances in the layers of a band, from its signs and a function.
  *
- * A distance is the function's first-order distance |F| / |grad F|, by central differences. It is
- * exact for distances and smooth where F is smooth. It is limited to 0.5 to 1.5 times the distance
- * to the crossings on edges. An eikonal update (EikonalUpdate.h) propagates this distance from node
- * to node. A sweep uses only nodes of earlier sweeps, so the order within a sweep does not matter.
+ * A distance is the function's first-order distance |F| / |grad F|, by central differences. This
+ * distance is exact if F is a distance, and smooth where F is smooth. The distance is limited to
+ * 0.5 to 1.5 times the distance to the crossings on edges. An eikonal update (EikonalUpdate.h)
+ * propagates this distance from node to node. A sweep uses only nodes of earlier sweeps, so the
+ * order within a sweep does not matter.
  */
 class PartDistances
 {
@@ -258,8 +259,8 @@ float PartDistances::FirstOrderDistance(std::size_t i, int node) const
   return slope > 0.0 ? static_cast<float>(std::fabs(this->Function[i][node]) / slope) : -1.f;
 }
 
-/** Returns true for an inside leaf next to an outside leaf: no other leaf contains the surface
- * between the two. */
+/** Returns true for an inside leaf next to an outside leaf: the surface between these two leaves is
+ * in no other leaf. */
 bool IsNextToOutside(const LeafSigns& inside, std::size_t i)
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -183,8 +183,8 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
   return missing;
 }
 
-/** Returns true if the target also has the part at six nodes around. Neither the lattice nor
- * Tension removes such a part. */
+/** Returns true if the part of the target contains six nodes around `node` as well. Neither the
+ * lattice nor Tension removes such a part. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
   const int steps = this->Search.GetLeastSteps();

@@ -1,9 +1,10 @@
 /**
  * Lossless compact state of a surface: only data that cannot be recomputed.
  *
- * It consists of the signs and the known nodes as bits, and the magnitudes of the potential at
- * known nodes. The layers follow from the signs, bitwise. With ghosts the known nodes are the
- * active nodes, and the ghosts follow from them. Without ghosts all nodes of the layers are known.
+ * The state consists of the signs and the known nodes as bits, and the magnitudes of the potential
+ * at known nodes. The layers follow from the signs, bitwise. If there are ghosts, the known nodes
+ * are the active nodes, and the ghosts are computed from the active nodes. Without ghosts all nodes
+ * of the layers are known.
  */
 #ifndef PackedBand_h
 #define PackedBand_h
@@ -27,8 +28,8 @@ void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 openvdb::FloatTree::Ptr UnpackBand(const std::vector<std::string>& parts, float background);
 
 ///@{
-/** Pack and unpack a part of a band: also the leaves of other ranks on this rank, and the sides of
- * missing leaves. */
+/** Pack and unpack a part of a band, including this rank's copies of other ranks' leaves, and the
+ * sides of missing leaves. */
 void PackPart(
   const LeafTable& table, bool hasGhosts, const openvdb::FloatTree& tree, std::string& bytes);
 openvdb::FloatTree::Ptr UnpackPart(const std::string& bytes, float background);

@@ -29,8 +29,9 @@ struct StateNumbers
   float Background = 0.f; //< not stored: it follows from Paper
 };
 
-/** Returns a copy of the potential with the numbers as metadata. The active nodes are active;
- * without ghosts, all nodes of the layers are. Inactive nodes have + or - the background. */
+/** Returns a copy of the potential with the numbers as metadata. The active nodes of the copy are
+ * those of the potential, or all nodes of the layers if there are no ghosts. Inactive nodes have +
+ * or - the background. */
 openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 

@@ -136,8 +136,8 @@ private:
     }
   }
 
-  /** Joins the components of a block with those across a face, unless the block across the face is
-   * smaller: then that block joins them. */
+  /** Joins the components of a block with the components across a face. Does nothing if the block
+   * across the face is smaller, because the smaller block joins these components. */
   void Connect(std::int32_t block, int axis, int sign)
   {
     const Block& own = this->Blocks[block];
@@ -183,8 +183,8 @@ private:
   openvdb::tree::ValueAccessor<openvdb::Int32Tree> Recent{ this->Numbers };
 };
 
-/** Erodes nodes until another step would remove all, at most 8 times. Returns the remaining nodes
- * and the number of steps. Nodes beyond the leaf count as set. */
+/** Erodes nodes, in at most 8 steps, until another step would remove all nodes. Returns the
+ * remaining nodes; depth: the number of steps. Nodes beyond the leaf count as set. */
 LeafMask FindDeepest(LeafMask nodes, int& depth)
 {
   constexpr int most = 8;

@@ -18,7 +18,7 @@ struct LatticeShape;
 /**
  * Nodes of one side are connected along edges. Outside nodes that are connected with the
  * background, the unbounded outside, are not in a hollow. The constructor searches leaves and
- * tiles; its cost grows with the surface.
+ * tiles. The cost is proportional to the surface.
  */
 class ACTIVELEVELSET_EXPORT LatticeParts
 {

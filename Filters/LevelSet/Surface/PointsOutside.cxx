@@ -56,8 +56,8 @@ struct VoxelCorners
     return at;
   }
 
-  /** Returns true if a triangle of the skin in this voxel is within the distance. place: from the
-   * lower corner. */
+  /** Returns true if a triangle of the skin in this voxel is within the distance of `place`. place:
+   * relative to the lower corner. */
   bool HasTriangleWithin(const Vec3d& place, double distance) const
   {
     const VoxelTriangles& triangles = TrianglesOfVoxel(this->Inside);

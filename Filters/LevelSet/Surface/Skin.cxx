@@ -88,8 +88,9 @@ private:
 
 /** Returns the least distance of a vertex from the ends of its edge [voxels]. If the potential is 0
  * at a node, the vertices around the node would coincide, and triangles between them would have no
- * area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Twice that distance
- * keeps corners apart and triangles oriented when each corner is rounded by half of it. */
+ * area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Each corner is
+ * rounded by up to half of that distance. Vertices at least twice that distance from the node
+ * therefore stay apart, and their triangles keep their orientation. */
 template <class Number>
 double MarginOfVertices(std::int64_t farthestNode)
 {

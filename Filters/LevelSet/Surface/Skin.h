@@ -35,8 +35,8 @@ public:
     std::size_t Last; //< not included
   };
   /** Returns the triangles of a rank. A whole band is divided into ranges with about equally many
-   * triangles. In a part, a rank has the triangles of its own leaves. The triangles of all ranks
-   * are disjoint, and together they are the whole skin. */
+   * triangles. If the band is a part, each rank has the triangles of its own leaves. The triangles
+   * of all ranks are disjoint, and together they are the whole skin. */
   std::vector<TriangleRange> ListTriangles(int rank, int ranks) const;
 
   /** Returns the number of each vertex in the skin of all ranks. The number may be -1 for a vertex

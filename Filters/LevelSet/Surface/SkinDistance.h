@@ -1,9 +1,9 @@
 /**
  * Distance of a point from the surface, and its side, from a snapshot of a NarrowBand.
  *
- * With x in voxels, U(x) the trilinear interpolation of the potential u, and G(x) that of its
- * gradient norm |grad u| at the nodes (central differences; one-sided where a neighbour is beyond
- * the layers), the value is
+ * x is in voxels. U(x) is the trilinear interpolation of the potential u. G(x) is the trilinear
+ * interpolation of the gradient norm |grad u| at the nodes (central differences; one-sided where a
+ * neighbour is beyond the layers). The value is
  *
  *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
  *
@@ -60,8 +60,9 @@ private:
 /**
  * Writes the signed distance to the surface [world units], negative inside, at the lattice nodes
  * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest. The distance is the
- * potential divided by its gradient norm. It is of first order: exact at the surface, good within
- * about 1.5 voxels. It is clamped to +-HalfWidth voxels, the value beyond the band.
+ * potential divided by its gradient norm. This distance is of first order: exact at the surface,
+ * good within about 1.5 voxels. The distance is clamped to +-HalfWidth voxels, the value beyond the
+ * band.
  */
 ACTIVELEVELSET_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);

@@ -17,7 +17,7 @@ struct Family
   std::vector<double> After;
 };
 
-/** Sets of parts that neighbouring blocks connect. Numbers of parts of `after` follow those of
+/** Sets of parts that neighbouring blocks connect. Parts of `after` are numbered after the parts of
  * `before`. */
 class Kinship
 {
@@ -116,7 +116,8 @@ double Sum(const std::vector<double>& volumes)
 }
 
 /** Returns true if the remaining bodies have gained at least half of the volume of the missing
- * bodies, which count as the smallest. The family has fewer bodies after than before. */
+ * bodies. The smallest bodies before are assumed to be missing. The family must have fewer bodies
+ * after than before. */
 bool HasMerged(Family family)
 {
   std::sort(family.Before.begin(), family.Before.end());

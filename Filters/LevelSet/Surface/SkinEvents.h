@@ -16,10 +16,10 @@ namespace activesurface
  * "split", "vanish", "birth", "void opens", "void closes", "hole opens", "hole closes".
  *
  * Parts at the two times count as the same body if they touch neighbouring blocks, so a part must
- * move less than 4 voxels in between. If several bodies are that close to each other and one is
- * missing afterwards, it has merged if the others have grown by at least half of its volume;
- * otherwise it has vanished. A merge and a split among such neighbours cancel and are not reported.
- * A birth and a vanishing cancel anywhere, and so do openings and closings.
+ * move less than 4 voxels in between. A body that is missing afterwards and had other bodies in
+ * neighbouring blocks has merged if these bodies have grown by at least half of its volume;
+ * otherwise the body has vanished. A merge and a split among neighbouring bodies cancel and are not
+ * reported. A birth and a vanishing cancel wherever they happen, as do an opening and a closing.
  */
 ACTIVELEVELSET_EXPORT std::string FindEvents(
   const std::vector<SkinPart>& before, const std::vector<SkinPart>& after);

@@ -94,8 +94,8 @@ void FindDisplacements(const NarrowBand& band, NodeTarget& nodes, VertexMotion& 
     });
 }
 
-/** Adds sign * distance to the target at each vertex, moved by share * displacement. A distance
- * that is not finite makes the change not finite. */
+/** For each vertex, adds sign * distance to the target. The distance is that of the vertex moved by
+ * share * displacement. If a distance is not finite, the change of this vertex is not finite. */
 void AddDistances(
   const NarrowBand& band, const Target& target, double share, double sign, VertexMotion& vertices)
 {
@@ -161,7 +161,7 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
  * speed is
  *   (D . n - r (psi_e(x + (1 - f) D) - psi_b(x - f D))) / (end - begin):
  * the motion with the particles, and growth or shrinkage. r is the fraction of a change that the
- * skin follows in a frame; it is small within the target's noise.
+ * skin follows in a frame; r is small within the target's noise.
  */
 void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector<float>& speeds)
 {
@@ -256,8 +256,8 @@ std::vector<double> FindVertexAreas(const Skin& skin)
   return areas;
 }
 
-/** Returns the uniform speed that conserves the volume, or otherwise the area. The change of the
- * area is the integral of speed * curvature. */
+/** Returns the uniform speed that conserves the volume if VolumeControl is exact, otherwise the
+ * area. The change of the area is the integral of speed * curvature. */
 double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   const std::vector<float>& curvatures, const std::vector<float>& speeds)
 {

@@ -24,8 +24,8 @@ ACTIVELEVELSET_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
 /**
  * Returns the normal speed [length/time], outward positive, by the equation of motion at the time
  * of the band: attraction, tension, penalties, and the uniform speed by which exact controls
- * conserve volume or area. Attraction is 0 where the target is not finite. The node scheme: see
- * SkinMotion.cxx.
+ * conserve volume or area. The attraction is 0 where the value of the target is not finite. For the
+ * node scheme see SkinMotion.cxx.
  */
 ACTIVELEVELSET_EXPORT std::vector<float> FindSpeeds(
   const NarrowBand& band, const SkinForces& forces);

@@ -105,8 +105,8 @@ void AddTriangle(const double* const corner[3], double voxelSize, ConnectedTrian
   set.Volume.Add((at[0] * normal[0] + at[1] * normal[1] + at[2] * normal[2]) / 6.0);
 }
 
-/** Adds the block of a vertex unless it is the last one: successive vertices often share a block.
- */
+/** Adds the block of a vertex unless this block is the last in the list: successive vertices often
+ * share a block. */
 void AddBlock(const double x[3], double blockSize, std::vector<PartBlock>& blocks)
 {
   PartBlock block;
@@ -306,8 +306,8 @@ private:
       });
   }
 
-  /** Lists vertices of other ranks in this rank's triangles, and own vertices in other triangles.
-   */
+  /** Lists vertices of other ranks in this rank's triangles, and own vertices in triangles of other
+   * ranks. */
   void ListShared(SkinSets& sets) const
   {
     std::vector<char> isShared(this->SetOf.size(), 0);

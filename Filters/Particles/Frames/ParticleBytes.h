@@ -16,13 +16,13 @@ namespace activesurface
 
 using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
 
-// Packs positions, ids, strengths and velocities of the chosen particles. Radii and passed arrays
-// are omitted.
+// Packs the positions, ids, strengths and velocities of the chosen particles as bytes. Radii and
+// passed arrays are omitted.
 VTKACTIVEPARTICLES_EXPORT Bytes PackParticles(
   const ParticleFrame& frame, const ParticleChoice& chosen);
 
-// Merges the particles of several ranks into one frame, in the order of ParticleOrder.h. like:
-// frame that provides HasIds, HasVelocities and the common radius.
+// Merges the particles of several ranks into one frame, in the order that ParticleOrder.h defines.
+// like: frame that provides HasIds, HasVelocities and the common radius.
 VTKACTIVEPARTICLES_EXPORT ParticleFrame MergeParticles(
   const std::vector<Bytes>& parts, const ParticleFrame& like);
 

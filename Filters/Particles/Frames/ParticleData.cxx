@@ -200,8 +200,8 @@ std::string ListColumns(vtkTable* table)
   return names.empty() ? "none" : names + (table->GetNumberOfColumns() > most ? ", ..." : "");
 }
 
-// Converts rows to points and the other columns to point arrays. Throws std::invalid_argument for a
-// table without positions.
+// Converts rows to points. Columns other than positions become point arrays. Throws
+// std::invalid_argument for a table without positions.
 vtkSmartPointer<vtkPolyData> MakePoints(vtkTable* table)
 {
   const std::vector<Group> groups = GroupColumns(table);

@@ -15,15 +15,15 @@ namespace activesurface
 
 // Returns the data set itself or a data set made from it:
 // - Rows of a vtkTable become points. Positions are the columns x, y and z, or a:0 a:1 a:2, a_0
-//   ..., a_x ..., or one column a of three numbers. Here a is Points, Position, Coordinates or the
-//   like, in upper or lower case. Other columns become point arrays; three columns of one vector
-//   become one array.
+//   ..., a_x ..., or one column a of three numbers. Here a is Points, Position, Coordinates or a
+//   similar name, in upper or lower case. Other columns become point arrays; three columns of one
+//   vector become one array.
 // - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
 //   Point arrays are kept if all blocks with points have them, with one type. If only one block has
 //   points, that block is returned unchanged.
 // Returns null for any other class and for adaptive mesh refinement (AMR). Throws
-// std::invalid_argument for a table without positions, or if one of several blocks with points is
-// not particles.
+// std::invalid_argument for a table without positions, or if one of several blocks with points does
+// not consist of particles.
 VTKACTIVEPARTICLES_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
 
 // Returns true for AMR, a vtkDataObjectTree since VTK 9.6, whose blocks overlap.

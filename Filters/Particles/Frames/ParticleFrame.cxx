@@ -20,8 +20,8 @@ namespace activesurface
 namespace
 {
 
-// Returns the array as numbers; null if there is none. Throws unless it has the given number of
-// components and one tuple for each point.
+// Returns the array as a vtkDataArray; null if `array` is null. Throws unless the array has the
+// given number of components and one tuple for each point.
 vtkDataArray* AsNumbers(
   vtkAbstractArray* array, vtkIdType points, const char* what, int components = 1)
 {

@@ -108,8 +108,8 @@ std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earli
   return displacements;
 }
 
-// Criterion: the median displacement, after subtraction of the mean, exceeds 20 % of the cloud's
-// diagonal.
+// Particles are shuffled if the median displacement, after subtraction of the mean, exceeds 20 % of
+// the cloud's diagonal.
 bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
   const PeriodicBox& box)
 {

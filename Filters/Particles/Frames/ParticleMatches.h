@@ -2,12 +2,12 @@
 //
 // A particle moves in a straight line to its position in the next step, in a periodic box to the
 // nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
-// Without ids they are matched by their index, if the two steps have equally many points. Indices
-// are not used if they would move most particles across the cloud, as when an input lists the
-// particles in another order in each step.
+// Without ids the particles are matched by their index, if the two steps have equally many points.
+// Indices are not used if matching by index would move most particles across the cloud, as when an
+// input lists the particles in another order in each step.
 //
 // Let f be the fraction of the interval. A particle without a partner in the next step dies: its
-// strength is multiplied by (1-f). A particle without a partner in the step before is born: its
+// strength is multiplied by (1-f). A particle without a partner in the earlier step is born: its
 // strength is multiplied by f. So the sum of kernels is continuous in time for any two steps.
 
 #ifndef ParticleMatches_h
@@ -38,8 +38,8 @@ struct ParticleMatches
 VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box);
 
-// Pairs particles with the same ids or indices. Pairs none if areShuffled, or if only one step has
-// ids, or if two steps without ids have different numbers of points.
+// Pairs particles with the same ids or indices. Pairs no particles if areShuffled, or if only one
+// step has ids, or if two steps without ids have different numbers of points.
 VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
 
@@ -55,13 +55,13 @@ VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
-// Returns true if equal indices are different particles, judged by the displacements of the whole
-// frame in any order. `earlier` may be a part of the frame.
+// Returns true if equal indices are different particles, judged by the displacements of all
+// particles of the frame, in any order. `earlier` may contain only a part of the frame.
 VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
   const ParticleFrame& earlier, const PeriodicBox& box);
 
-// Largest sum of displacement and change of radius, among the particles of both steps; 0 if there
-// are none.
+// Returns the largest sum of displacement and change of radius of a particle that is in both steps;
+// 0 without such particles.
 VTKACTIVEPARTICLES_EXPORT double FindLargestDisplacement(const ParticleFrame& earlier,
   const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);
 

@@ -26,8 +26,8 @@ double FindMedian(std::vector<double>& values)
   return *middle;
 }
 
-// Medians of the coordinates, and half of the median distance to this point along the widest axis.
-// Halves are used because full differences may overflow.
+// Point of the median coordinates, and half of the median distance of the particles from this point
+// along the widest axis. The distance is halved because full differences may overflow.
 struct Middle
 {
   double At[3];
@@ -65,7 +65,7 @@ using Distances = std::array<double, Nearest>; // ascending; HUGE_VAL if there i
 
 // Search tree of the particles. The leaves of an octree stay small even if a few particles are far
 // away. The tree uses single precision, so its coordinates are relative to the middle of most
-// particles, in units of their distance from the middle.
+// particles, in units of the particles' distance from the middle.
 class Neighbourhoods
 {
 public:
@@ -86,8 +86,8 @@ public:
     this->Tree->BuildLocator();
   }
 
-  // Finds more candidates than needed: in single precision the tree cannot rank nearly equal
-  // distances, as in a lattice.
+  // Finds more candidates than needed: because of its single precision, the tree cannot rank nearly
+  // equal distances, as in a lattice.
   Distances FindNearest(const double from[3]) const
   {
     constexpr std::size_t looked = 17;

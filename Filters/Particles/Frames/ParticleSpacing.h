@@ -11,10 +11,10 @@ namespace activesurface
 {
 
 // Returns the median distance of a particle to its third nearest neighbour, over a sample of 1,000
-// to 2,000 particles (all if fewer). For lattices and random points it is within 14 % of the cube
-// root of the volume per particle; in sheets, of the square root of the area per particle. The
-// nearest random point is at 0.55 of that root. Returns 0 if no two particles have different
-// positions.
+// to 2,000 particles (all if fewer). For lattices and random points the result is within 14 % of
+// the cube root of the volume per particle. In sheets it is within 14 % of the square root of the
+// area per particle. The distance to the nearest particle would be only 0.55 of that root for
+// random points. Returns 0 if no two particles have different positions.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
 // Returns the median radius over such a sample. Needs at least one particle.

@@ -14,9 +14,9 @@ namespace activesurface
 
 struct PeriodicBox : Periods
 {
-  // Width of the margin around the box in which copies of particles affect the surface inside:
-  // directly, through the support of an ellipsoid (1.3 kernel radii), or as neighbours that change
-  // the ellipsoid and its strength.
+  // Width of the margin around the box in which copies of particles affect the surface in the box:
+  // by the supports of their ellipsoids (1.3 kernel radii), or as neighbours that change the
+  // ellipsoid and the strength of a particle in the box.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
   // Returns the shortest difference that equals `difference` modulo the length of the box.
@@ -43,8 +43,8 @@ struct PeriodicBox : Periods
     return std::equal(place, place + 3, wrapped);
   }
 
-  // Range of the offsets, in lengths of the box, at which a copy is in the box or its margin. The
-  // first is larger than the last if there is no such copy.
+  // Returns the first and last offset, in lengths of the box, at which a copy of a particle is in
+  // the box or its margin. The first offset is larger than the last if there is no such copy.
   std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];

@@ -59,7 +59,7 @@ public:
   const double* GetBounds() const { return this->Bounds; }
 
   // Finds the cell of a point in the finest lattice. Returns false if the point is too far from the
-  // origin.
+  // origin for cell coordinates.
   bool FindCell(const double x[3], NodeIndex& cell) const;
 
   // Calls visit(hits, count) once, with all elements that may touch the place, in ascending order.

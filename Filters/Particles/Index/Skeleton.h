@@ -32,7 +32,8 @@ struct SkeletonWeight
 };
 
 // Returns the distance, over the support radius, at which the kernel of an element of strength 1
-// equals a level in ]0,1[. It is the radius of the ball or tube of an isolated element.
+// equals a level in ]0,1[. This ratio is the radius of an isolated ball or tube, over the support
+// radius.
 VTKACTIVEPARTICLES_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double level);
 
 class VTKACTIVEPARTICLES_EXPORT Skeleton

@@ -72,9 +72,9 @@ struct MetaballKernel
   }
 };
 
-// A position and the sums of contributions there. Terms 0, 1, 2 are MINUS the gradient, as the
-// potential is negative inside. Term 3 is the value. With one array, compilers add two terms at a
-// time.
+// A position and the sums of the contributions at this position. Terms 0, 1, 2 are MINUS the
+// gradient, as the potential is negative inside. Term 3 is the value. Compilers add two terms of
+// the array at a time.
 struct SkeletonPlace
 {
   double X[3];
@@ -135,8 +135,8 @@ struct SkeletonPoint
   }
 };
 
-// A segment whose radius and strength are linear from start to end. They are evaluated at the point
-// of the segment closest to x, at the fraction t of its length.
+// A segment whose radius and strength are linear from start to end. At x, the radius and the
+// strength are those of the closest point of the segment, at the fraction t of its length.
 struct SkeletonSegment
 {
   double Start[3];

@@ -12,8 +12,8 @@ namespace activesurface
 namespace
 {
 
-// Limits of the distance from a particle to the mean of its neighbourhood, over the neighbourhood's
-// radius, for a particle at the surface: 0.24 in a flat layer of a deep body, below 0.1 inside.
+// At the surface of a body: limits of the distance from a particle to its neighbourhood's mean,
+// over the neighbourhood's radius. The ratio is 0.24 in a deep body's flat layer, below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
@@ -21,8 +21,8 @@ constexpr float FullDepth = .22f;
 // radius, because the body's edges lose volume.
 constexpr float OffsetOfBody = .1f;
 
-// Limits of the density of the neighbours, over that of one particle in each (2 r)^3, for a body:
-// 0.28 in a sheet of one layer, 0.63 in the outermost layer of a deep body, 0.87 in the next layer.
+// In a body: limits of the density of the neighbours, in particles per (2 r)^3. The density is 0.28
+// in a sheet of one layer, 0.63 in a deep body's outermost layer, 0.87 in the next layer.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
@@ -32,8 +32,8 @@ constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;
 
 // Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
-// including the particle's own (1), decides if there is a shape: two neighbours make 2.1, a sheet
-// of one layer 4.2, a body's surface 5.8.
+// including the particle's own (1), decides whether the neighbourhood has a shape: two neighbours
+// make 2.1, a sheet of one layer 4.2, a body's surface 5.8.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;

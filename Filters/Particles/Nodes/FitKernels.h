@@ -55,8 +55,8 @@ struct PlaceColumns
 void ListNeighbours(const FitGroup& group, const PlaceColumns& columns, const ParticleRuns& runs,
   FitNeighbours& neighbours);
 
-// Returns the fraction of its radius by which a ball is larger than its particle. ownRadius: in
-// voxels.
+// Returns the fraction of its radius by which a ball is larger than its particle. ownRadius: own
+// radius of the particle [voxels].
 double FindLossOfBall(double ownRadius);
 
 struct FitLaw

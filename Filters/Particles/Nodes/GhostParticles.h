@@ -21,8 +21,8 @@ namespace activesurface
 class GhostParticles
 {
 public:
-  // Lists the particles near this rank's partition; null: this rank owns all. nodeOf: the node
-  // below a particle. margin: distance from the partition along each axis [nodes].
+  // Lists the particles near this rank's partition. domain: null if this rank owns all particles.
+  // nodeOf: the node below a particle. margin: distance from the partition along each axis [nodes].
   void Find(const Domain* domain, int margin, std::size_t count,
     const std::function<NodeIndex(std::size_t)>& nodeOf);
 
@@ -35,8 +35,8 @@ public:
   // Returns true if this rank owns the particle of column k.
   bool IsOwn(std::uint32_t k) const { return this->Own.empty() || this->Own[k]; }
 
-  // Collective. Sends get(k) of own particles, and calls set(k, value) for ghosts. Does nothing
-  // without a domain.
+  // Collective. Sends get(k) of own particles to the ranks that have particle k as a ghost, which
+  // call set(k, value). Does nothing without a domain.
   template <class Value, class Get, class Set>
   void Share(Get&& get, Set&& set) const
   {

@@ -76,8 +76,8 @@ bool NodeFits::FindOutward(std::uint32_t k, float (&outward)[3]) const
   return true;
 }
 
-// A ghost that its owner finds near the surface has a row here too: this rank knows fewer
-// particles, so more cells are not full.
+// Each ghost that its owner finds near the surface has a row on this rank too: this rank knows
+// fewer particles than the owner, so fewer of its cells are full.
 void NodeFits::ShareShapes()
 {
   struct SharedShape

@@ -237,8 +237,8 @@ void NodeFits::FindLongestReach()
   this->LongestReach = longest.empty() ? 0.0 : *std::max_element(longest.begin(), longest.end());
 }
 
-// Moves each particle of the group to its point Away or Across. Returns true if a weight of these
-// points is nonzero.
+// Moves each particle of the group to its point Away (place 0) or Across (place 3). Returns true if
+// one of these points has a nonzero weight.
 bool NodeFits::PlaceBeside(
   Search& search, const UnsetVector<float>& counting, std::size_t place) const
 {
@@ -256,8 +256,9 @@ bool NodeFits::PlaceBeside(
   return counts;
 }
 
-// A particle that fades in or out has full strength at its own point, so that an isolated one fades
-// to nothing. Returns the missing part of its contribution there.
+// A particle that fades in or out counts with full strength at its own points Away and Across, so
+// that an isolated particle fades to nothing. Returns the missing part of the particle's
+// contribution there.
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);
@@ -359,8 +360,9 @@ void NodeFits::ListSurface()
 
 void NodeFits::FindStrengths(Search& search)
 {
-  // Lower limit of the sum at a body's surface, over the value of an isolated particle: where
-  // neighbours have larger supports, the mean deficit may exceed this value.
+  // Lower limit of the sum at a body's surface, over the value of an isolated particle. Without a
+  // limit the sum could be negative where neighbours have larger supports: there the mean deficit
+  // may exceed this value.
   constexpr float leastShare = .1f;
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,

@@ -3,8 +3,8 @@
 // There are three passes:
 //
 // - The ellipsoid of each particle.
-// - Lack: the sum of kernels at the particle's expected surface, minus that of an isolated
-// particle.
+// - Lack: the sum of kernels at the particle's expected surface, minus the sum for an isolated
+//   particle.
 // - The strength, from the mean lack of the neighbours.
 
 #ifndef NodeFits_h
@@ -23,9 +23,9 @@
 namespace activesurface
 {
 
-// Up to FewParticles may all be neighbours of each other. Larger inputs are an error if particles
-// have more than MostNeighbours neighbours on average, a hundred times the usual number: visiting
-// all pairs would need hours. The average is over a sample.
+// Up to FewParticles particles may all be neighbours of each other. Larger inputs are an error if
+// the particles have more than MostNeighbours neighbours on average, a hundred times the usual
+// number: visiting all pairs would need hours. The average is over a sample.
 constexpr std::size_t FewParticles = 30000;
 
 constexpr std::size_t MostNeighbours = 20000;
@@ -119,9 +119,9 @@ struct NodeFitOptions
 class NodeFits
 {
 public:
-  // Reuses allocated memory. Throws std::invalid_argument for too many neighbours (MostNeighbours);
-  // without ellipsoids the bulks are 0 instead. ghosts: particles whose fits other ranks find.
-  // Collective if there are any ghosts.
+  // Reuses allocated memory. For too many neighbours (MostNeighbours), throws std::invalid_argument
+  // if options.HasEllipsoids, otherwise sets the bulks to 0. ghosts: particles whose fits other
+  // ranks find. Collective if there are any ghosts.
   void Find(const ParticleBlocks& blocks, const FitColumns& given, const GhostParticles& ghosts,
     const NodeFitOptions& options);
 
@@ -143,12 +143,12 @@ public:
   // a block. Thread-safe.
   void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
 
-  // Finds the box of the ellipsoid of particle k, relative to its block: xmin xmax ymin ... Returns
-  // false without an ellipsoid.
+  // Finds the box of the ellipsoid of particle k, relative to the block of the particle: xmin xmax
+  // ymin ... Returns false if the particle has no ellipsoid.
   bool FindBox(std::uint32_t k, float (&box)[6]) const;
 
-  // Finds the vector, two own radii long, away from the neighbours of a particle at the edge of a
-  // body. Returns false for other particles.
+  // For a particle at the edge of a body, finds the vector away from its neighbours, two own radii
+  // long. Returns false for other particles.
   bool FindOutward(std::uint32_t k, float (&outward)[3]) const;
 
 private:

@@ -25,8 +25,8 @@ struct EllipsoidColumns
   const float *X, *Y, *Z, *Reach2;
 };
 
-// Finds 1 - (sum of strength (1 - d^2)^3)^(1/4) at the nodes of some rows of a leaf, 1 at others.
-// Shifts of the runs are relative to the first node of the leaf.
+// Finds 1 - (sum of strength (1 - d^2)^3)^(1/4) at the nodes of some rows of a leaf, and sets 1 at
+// all other nodes. Shifts of the runs are relative to the first node of the leaf.
 void FindPotential(const EllipsoidColumns& columns, const NodeEllipsoid* ellipsoids,
   const ParticleRuns& runs, std::uint64_t rows, float* values);
 

@@ -55,8 +55,8 @@ void ParticleBlocks::FindNear(double reach)
   this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
 }
 
-// Number of cells from the cell of a cube's centre to a node beyond the skin. beyond: distance from
-// the cube to the skin [length].
+// Returns the number of cells from the cell of a cube's centre to a node beyond the skin. beyond:
+// distance from the cube to the skin [length].
 int ParticleBlocks::CountOutward(double beyond) const
 {
   constexpr double rounding = 1e-6;

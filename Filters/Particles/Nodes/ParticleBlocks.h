@@ -2,9 +2,9 @@
 // their surface.
 //
 // A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills a
-// cube of its own size. Cells with a full neighbourhood contain no surface, nor do cells far from
-// any particle; the remaining cells are the shell. The filling is an integer sum, independent of
-// the order of particles.
+// cube of its own size. Cells with a full neighbourhood, and cells far from any particle, contain
+// no surface. The remaining cells are the shell. The filling is an integer sum, independent of the
+// order of particles.
 
 #ifndef ParticleBlocks_h
 #define ParticleBlocks_h
@@ -50,8 +50,8 @@ struct CellMask
     return any != 0;
   }
 
-  // Adds the neighbours before and after each cell on an axis. before, after: the masks of the
-  // blocks there.
+  // Returns the cells of this mask and their neighbours before and after on an axis. before, after:
+  // the masks of the blocks there.
   CellMask Widen(const CellMask& before, const CellMask& after, int axis) const
   {
     CellMask wide;

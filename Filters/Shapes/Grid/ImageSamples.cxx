@@ -247,8 +247,8 @@ double ImageSamples::GetSample(const int pixel[3]) const
 
 // Samples crossings along every `skip`-th line of each axis; at most about 4 million pixels are
 // read. A crossing represents the cross-section between lines, projected along its line. Crossings
-// of one axis count n_axis^2 of each surface element, so all three axes count it once: n_x^2 +
-// n_y^2 + n_z^2 = 1.
+// of one axis count n_axis^2 of each surface element, so the three axes together count each surface
+// element once: n_x^2 + n_y^2 + n_z^2 = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

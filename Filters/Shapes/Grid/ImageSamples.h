@@ -1,5 +1,5 @@
-// Pixels of a vtkImageData as samples: trilinear within the image's box, and the distance to the
-// box outside.
+// Pixels of a vtkImageData as samples: the value is trilinear within the image's box, and the
+// distance to the box outside.
 
 #ifndef ImageSamples_h
 #define ImageSamples_h

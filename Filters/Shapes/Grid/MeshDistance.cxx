@@ -47,8 +47,8 @@ class Walk
 public:
   Walk(const MeshTriangles& mesh, const VoxelMesh& voxels);
 
-  // Returns the squared distance to the last triangle of a walk on which every step decreases the
-  // distance.
+  // Walks over the mesh from `triangle` as long as each step decreases the distance. Returns the
+  // squared distance to the last triangle.
   double FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const;
 
 private:
@@ -118,9 +118,9 @@ double Walk::FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const
   return least;
 }
 
-// Corrects distances beyond `exact` voxels by a walk; shorter ones are exact. OpenVDB ignores walls
-// inside overlapping bodies, but the mesh still contains them. A walk that shortens the distance by
-// a voxel or more has found such a wall and is ignored.
+// Corrects distances beyond `exact` voxels by a walk; shorter distances are exact. OpenVDB ignores
+// walls inside overlapping bodies, but the mesh still contains these walls. A walk that shortens
+// the distance by a voxel or more has found such a wall, so the walk is ignored.
 void Shorten(
   openvdb::FloatTree::LeafNodeType& leaf, const openvdb::Int32Tree& nearest, const Walk& walk)
 {

@@ -20,9 +20,9 @@ struct MeshLattice
 // Returns distances in voxels. Node (i, j, k) is at (i, j, k) * VoxelSize. The grid's own transform
 // is the identity, because OpenVDB rejects small voxels. Values beyond the band are + or - Band.
 //
-// OpenVDB's conversion propagates the closest triangle from node to node. Its distances are up to
-// half a voxel too long if triangles are small. A walk over the mesh, from triangle to nearer
-// triangle, then finds the closest triangle.
+// OpenVDB's conversion propagates the closest triangle from node to node. If triangles are small,
+// these distances are up to half a voxel too long. A walk over the mesh, from each triangle to a
+// nearer triangle, therefore follows and finds the closest triangle.
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
 
 }

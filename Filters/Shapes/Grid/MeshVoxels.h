@@ -11,9 +11,10 @@ struct MeshTriangles;
 // Returns the approximate number of voxels within `band` voxels of the mesh. Allocates no memory
 // for voxels. Stops beyond the maximum and then returns a larger number than the maximum.
 //
-// The mesh's box, enlarged by the band, is an upper bound. If it exceeds the maximum, cubes of
-// twice the band that the mesh crosses are counted. The count is exact for a flat mesh along two
-// axes and for a line along an axis. In other directions it is up to 1.5 times too large.
+// The mesh's box, enlarged by the band, is an upper bound. If this bound exceeds the maximum,
+// counts the cubes that the mesh crosses; the side of a cube is twice the band. The count is exact
+// for a flat mesh along two axes and for a line along an axis. In other directions the count is up
+// to 1.5 times too large.
 double EstimateVoxelsNear(const MeshTriangles& mesh, double voxelSize, double band, double maximum);
 
 }

@@ -19,7 +19,7 @@ namespace activesurface
 namespace
 {
 
-// Winding number of a mesh around a point, for meshes with holes, too.
+// Winding number of a mesh, with or without holes, around a point.
 //
 // A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust Inside-Outside Segmentation using Generalized
 // Winding Numbers, SIGGRAPH 2013; far triangles as dipoles after G. Barill et al., Fast Winding
@@ -31,7 +31,7 @@ public:
   explicit WindingNumber(const MeshTriangles& mesh);
 
   // Returns 1 inside a closed mesh, 0 outside, and -1 inside if its polygons face inward. Across a
-  // hole the value is a smooth step. Thread-safe; the result does not depend on the number of
+  // hole the value changes smoothly. Thread-safe; the result does not depend on the number of
   // threads.
   double Evaluate(const openvdb::Vec3d& place) const;
 
@@ -199,8 +199,8 @@ private:
   void Evaluate(const Nodes& nodes);
   Nodes Grow(const Nodes& nodes);
 
-  // Returns true if a cap separates two neighbours. The mesh separates only neighbours within a
-  // voxel.
+  // Returns true if a cap separates two neighbour nodes. The mesh itself separates only nodes that
+  // are both within a voxel of the mesh.
   static bool IsCut(const Coord& a, const Coord& b, const Reader& windings, const Reader& distances)
   {
     float x, y;
@@ -292,8 +292,8 @@ openvdb::FloatTree Caps::FindSigns() const
   return signs;
 }
 
-// Adds caps as surface nets: a point in each cell that a cap crosses, the mean of the crossings of
-// the cell's edges, and a quadrangle around each such edge.
+// Adds caps as surface nets. Each cell that a cap crosses has a point, the mean of the crossings of
+// the cell's edges. Each crossed edge has a quadrangle around it.
 void Caps::AddTo(MeshTriangles& mesh) const
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

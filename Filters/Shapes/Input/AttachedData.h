@@ -1,7 +1,7 @@
 /**
- * Attaches to a data object the grid from which it was made, for filters that can use the grid
- * directly. The grid is attached to the data object's information, which other filters do not copy.
- * Data that another filter has changed therefore have no grid.
+ * Attaches to a data object the grid from which the data were made, for filters that can use the
+ * grid directly. The grid is an entry of the data object's information, which other filters do not
+ * copy. Data that another filter has changed therefore have no grid.
  */
 #ifndef AttachedData_h
 #define AttachedData_h
@@ -34,8 +34,8 @@ struct AttachedState
   /** Point arrays of the whole skin on rank 0 if the output is one rank's part; otherwise null. */
   vtkSmartPointer<vtkPointData> WholeArrays;
   std::vector<std::pair<std::string, double>> Motion; //< properties that determine the motion
-  /** Set if Skin is one rank's part. Returns the state of the whole skin on rank 0, null on other
-   * ranks. Collective. */
+  /** Set if Skin is only one rank's part of the skin. Gather() returns the state of the whole skin
+   * on rank 0, null on other ranks. Collective. */
   std::function<std::shared_ptr<const AttachedState>()> Gather;
 };
 

@@ -1,5 +1,5 @@
 /**
- * Attaches to a data object the grid from which it was made (see AttachedData.h).
+ * Attaches to a data object the grid from which the data were made (see AttachedData.h).
  */
 #ifndef AttachedGrid_h
 #define AttachedGrid_h

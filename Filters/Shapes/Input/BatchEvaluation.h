@@ -14,8 +14,8 @@ namespace activesurface
 constexpr vtkIdType PointsAtOnce = 256;
 constexpr vtkIdType PointsPerTask = 2048;
 
-// Resizes the output. The potential needs an EvaluateBatch that several threads may call. input:
-// points of three components.
+// Evaluates the potential at the points of `input`, in parallel, and resizes the output. Several
+// threads may call EvaluateBatch of the potential at once. input: points of three components.
 template <class Potential>
 void EvaluateArray(const Potential& potential, vtkDataArray* input, vtkDataArray* output)
 {

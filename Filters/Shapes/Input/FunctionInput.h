@@ -1,5 +1,6 @@
-// Input data set of an implicit function: a given one, or the output of an algorithm. The output is
-// updated when the function reads it, because no pipeline updates the input of a function.
+// Input data set of an implicit function: a given data set, or the output of an algorithm. The
+// output is updated when the function reads it, because no pipeline updates the input of a
+// function.
 
 #ifndef FunctionInput_h
 #define FunctionInput_h
@@ -22,16 +23,16 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // Each call replaces the other kind of input. Returns true on a change; the time of the change is
-  // later than every time that FindMTime has returned.
+  // SetData and Connect replace each other's input. Both return true if the input has changed; the
+  // time of the change is later than every time that FindMTime has returned.
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
 
   vtkDataObject* GetData() const { return this->Data; }
   vtkAlgorithmOutput* GetConnection() const;
 
-  // Time of the last change of the data, or of anything upstream. Updates pipeline information; not
-  // thread-safe.
+  // Returns the time of the last change of the data, or of anything upstream. Updates pipeline
+  // information; not thread-safe.
   vtkMTimeType FindMTime();
   // Returns the result of the last FindMTime. Cheap and thread-safe.
   vtkMTimeType GetMTime() const;

@@ -56,8 +56,9 @@ struct VTKACTIVESHAPES_EXPORT MeshTriangles
 // every release of VTK. Lines and vertices are ignored.
 VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
-// Bounding box of the polygons and strips, except broken ones, much cheaper than ReadTriangles. x
-// min > x max if there are none. vtkPolyData's own function fails for a point that does not exist.
+// Returns the bounding box of the valid polygons and strips, at a much lower cost than
+// ReadTriangles. Without polygons and strips, x min > x max. vtkPolyData's own function fails if a
+// polygon refers to a point that does not exist.
 VTKACTIVESHAPES_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
 
 }

@@ -56,8 +56,9 @@ const std::vector<PolygonCutter::Triangle>& PolygonCutter::Cut(const std::vector
   return this->Triangles;
 }
 
-// Chooses the diagonal independently of the release of VTK: the one whose triangles face the same
-// side. If both or neither do, chooses the shorter one; of equal ones, the second.
+// Chooses the diagonal independently of the release of VTK. Chooses the diagonal whose two
+// triangles face the same side. If this holds for both diagonals or for neither, chooses the
+// shorter diagonal, or the second if their lengths are equal.
 void PolygonCutter::CutQuadrangle(const std::vector<Point>& corners)
 {
   const Point &a = corners[0], &b = corners[1], &c = corners[2], &d = corners[3];

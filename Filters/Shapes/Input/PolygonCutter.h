@@ -24,7 +24,8 @@ public:
   PolygonCutter();
 
   // Triangulates a polygon of at least three corners. The result is valid until the next call. A
-  // polygon that cannot be triangulated well becomes a fan, so that a mesh stays closed.
+  // polygon that VTK cannot triangulate is cut into a fan of triangles, so that a closed mesh stays
+  // closed.
   const std::vector<Triangle>& Cut(const std::vector<Point>& corners);
 
 private:

@@ -18,8 +18,9 @@ struct GivenShapes
 };
 
 // Throws std::invalid_argument if a target is missing, or if there are two targets or two initial
-// shapes. Throws RankError for composite data. They are composite on all ranks. VTK calls each rank
-// once for each of its blocks, so the ranks have no collective call in common.
+// shapes. Throws RankError for composite data: VTK calls each rank once for each of its blocks, so
+// the ranks have no common collective call. Data are composite on all ranks or on none, so all
+// ranks throw.
 void CheckShapes(const SurfaceInputs& functions, const GivenShapes& given);
 
 }

@@ -2,7 +2,8 @@
 //
 // In situ, future steps of the target are unavailable. There are three cases:
 // - The target's list of time steps grows.
-// - The target offers no time twice (VTK 9.4 and later). The steps are then the requested times.
+// - The target offers each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4 and later). The steps
+//   are then the requested times.
 // - Frames are pushed (PushedFrames.h). The steps are then the times of the frames.
 
 #ifndef InputClock_h
@@ -45,8 +46,9 @@ public:
   // Writes TargetMoves, OnlyForward, Steps and InputSteps.
   void WriteTo(SurfaceInputs& inputs) const;
 
-  // TIME_STEPS to publish. For a target that offers no time twice these are the target's own steps,
-  // which may be empty. Empty for pushed frames, because only the newest is available.
+  // TIME_STEPS to publish. For a target that offers each time only once, these are the target's own
+  // steps, if any. For pushed frames there are no steps, because only the newest frame is
+  // available.
   const std::vector<double>& GetPublishedSteps() const { return this->Published; }
 
 private:

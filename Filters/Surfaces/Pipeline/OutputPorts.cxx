@@ -37,8 +37,8 @@ namespace activesurface
 namespace
 {
 
-// Gathers the state of all ranks, with the skin's arrays that need no particles. Null on ranks that
-// do not receive the whole band. Collective.
+// Gathers the states of all ranks, with those arrays of the skin that need no particles. Returns
+// null on ranks that do not receive the whole band. Collective.
 std::shared_ptr<const AttachedState> GatherState(
   const AttachedState& part, bool normals, bool curvature)
 {
@@ -106,8 +106,8 @@ void ForEachTriangle(const Ranges& ranges, Visit&& visit)
   }
 }
 
-// Points of the triangles in their order, and for each point of the skin its index among them, or
-// -1.
+// The points of the triangles, in the order of the skin; and for each point of the skin its index
+// among these points, or -1.
 struct UsedPoints
 {
   vtkNew<vtkIdList> Points;
@@ -221,8 +221,8 @@ vtkSmartPointer<vtkPointData> KeepShare(
   return whole;
 }
 
-// Returns true for the requested port, for the history, and for Potential if it is an output. On
-// one process, a piece other than piece 0 has no history.
+// Returns true for the requested port, for the history, and for Potential if that output is on. On
+// one process, a request for a piece other than piece 0 does not fill the history.
 bool IsFilled(int port, const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector* output)
 {

@@ -27,9 +27,9 @@ public:
     NumberOfPorts = 3
   };
 
-  // Returns true if the request yields no data: on one process, a piece other than piece 0 of the
-  // skin or the history, because piece 0 is complete. With several ranks, each request fills an
-  // output.
+  // Returns true if the request yields no data. On one process, this is a request for a piece of
+  // the skin or of the history other than piece 0, because piece 0 is complete. With several ranks,
+  // each request yields data.
   static bool IsForNothing(
     const OutputShare& share, vtkInformation* request, vtkInformationVector* output);
 

@@ -20,13 +20,13 @@ struct SurfaceDomain;
 int RequestedPort(vtkInformation* request);
 
 // Publishes the steps. Publishes no times if hasNone: for a surface in equilibrium, which has no
-// time, and for pushed frames, because only the newest is available. Without steps, the output
-// keeps the times that VTK copied from the input.
+// time, and for pushed frames, because only the newest frame is available. Without steps, the
+// output keeps the times that VTK copied from the input.
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone);
 void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 
-// Publishes the extent, origin and spacing of the potential's image; an empty extent without a
-// domain.
+// Publishes the extent, origin and spacing of the potential's image; without a domain, an empty
+// extent.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
 // Replaces an UPDATE_EXTENT that is empty or outside the image by the extent of the requested
@@ -35,8 +35,8 @@ void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 void RequestSomeExtent(vtkInformation* output, const OutputShare& share);
 
 // Returns true if a piece other than piece 0 is requested. Parallel programs may distribute the
-// outputs of single-process filters. Then piece 0 has all of the skin and the history, and each
-// rank gets its own part of the image.
+// outputs of single-process filters. In such a program, piece 0 contains all of the skin and the
+// history, and each rank gets its own part of the image.
 bool IsOtherPiece(vtkInformation* output);
 
 }

@@ -26,16 +26,16 @@ public:
   PushedFrames(const PushedFrames&) = delete;
   void operator=(const PushedFrames&) = delete;
 
-  // Times of the frames. Discards them if port 0 is not connected to the frames: a user who
-  // connects another input has stopped pushing.
+  // Returns the times of the frames. Discards the times if port 0 is not connected to the frames: a
+  // user who connects another input has stopped pushing.
   const std::vector<double>& GetTimes();
 
   // Returns true if port 0 is connected to the frames.
   bool AreConnected() const;
 
-  // Makes the data the newest frame, dt after the previous one, and connects port 0 to the frames.
-  // The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument for
-  // invalid data or dt, and then changes nothing.
+  // Makes the data the newest frame, dt after the previous frame, and connects port 0 to the
+  // frames. The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument
+  // for invalid data or dt, and then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Removes the newest frame; the previous one is the newest again.
   void Withdraw();

@@ -72,8 +72,8 @@ bool HasRequested(const OutputProperties& properties, bool SkinArray::*need)
 }
 
 // Limits a vector to the length `longest`. Shortens the normal part first, because the tangential
-// part is the particles' own velocity. Shortens the tangential part only if it exceeds `longest`
-// itself.
+// part is the particles' own velocity. Shortens the tangential part only if this part itself
+// exceeds `longest`.
 void ShortenVector(double longest, const double normal[3], float* vector)
 {
   double along = 0.0, square = 0.0;

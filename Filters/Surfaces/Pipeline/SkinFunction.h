@@ -39,9 +39,9 @@ public:
   SkinFunction();
   ~SkinFunction();
 
-  // Returns the function; always the same object. The first call makes it from this band, and Renew
-  // replaces its skin. Null: the function is outside everywhere. Positions in the band are relative
-  // to the origin.
+  // Returns the function, which is always the same object. The first call makes the function from
+  // the skin of `band`; Renew replaces the skin. band: null for a function that is positive
+  // everywhere. Positions in the band are relative to `origin`.
   vtkGridPotential* Get(const NarrowBand* band, const std::array<double, 3>& origin);
 
   // Replaces the skin by a snapshot of this one, if Get has been called before.

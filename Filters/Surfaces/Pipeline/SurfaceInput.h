@@ -41,8 +41,8 @@ public:
 
   bool IsConnected() const;
 
-  // Changes if an algorithm or data upstream is modified, but not if another time is requested.
-  // Returns 0 without an input.
+  // Returns a number that changes if an algorithm or data upstream is modified, but not if another
+  // time is requested. Returns 0 without an input.
   std::uint64_t GetPipelineMTime() const;
 
   // Returns true if the input is connected and its pipeline MTime is still `time`.
@@ -56,12 +56,12 @@ public:
   // Returns true if the input has a time range without time steps.
   static bool IsContinuous(vtkInformation* information);
 
-  // Descriptions of the arrays chosen for radii, ids, strengths, and the values of the target's and
-  // the initial image; an empty string if none is chosen.
+  // Returns descriptions of the arrays chosen for radii, ids, strengths, values of the target's
+  // image and values of the initial image. A description is empty if no array is chosen.
   std::array<std::string, 5> DescribeArrays() const;
 
-  // Returns true if the pipeline passes the blocks of the data one by one, each as if it were the
-  // input. Valid only before a request for data.
+  // Returns true if the pipeline sends the blocks of the data one by one, each block as the input.
+  // Valid only before a request for data.
   bool IsSplit(vtkInformation* information) const;
 
   // Arrays of particles to keep: all arrays, and the array of velocities if one is chosen.

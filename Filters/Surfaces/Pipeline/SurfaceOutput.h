@@ -17,8 +17,8 @@ namespace activesurface
 class NarrowBand;
 struct HistoryRow;
 
-// Writes the triangles of the skin; valid and empty for an empty surface. Fills the outward normals
-// at the points unless `normals` is null.
+// Writes the triangles of the skin. For an empty surface the output is empty but valid. Fills the
+// outward normals at the points unless `normals` is null.
 void FillSkin(const NarrowBand& band, vtkFloatArray* normals, vtkPolyData* skin);
 
 // Converts points relative to an origin to world coordinates in double precision. Changes nothing

@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, it is requested at the target's time. When the initial
-  // shape is needed, this is the first time.
+  // If both ports have the same source, this source is requested at the target's time. That is the
+  // first time whenever the initial shape is needed.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -222,7 +222,7 @@ void SurfaceRequests::CheckInputs() const
 }
 
 // Stores the inputs' MTimes after an update, even a failed one. Some algorithms modify themselves
-// while they execute; that must not restart the motion.
+// while they execute; this change of the MTime must not restart the motion.
 class SurfaceRequests::MTimesAfterwards
 {
 public:

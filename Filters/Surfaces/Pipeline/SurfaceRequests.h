@@ -1,7 +1,7 @@
 // Answers VTK's pipeline requests by a SurfaceSimulation.
 //
 // A request for data may need several time steps of the input. The first step is requested as usual
-// (RequestInputs), the others by updates of the input within RequestData. VTK's CONTINUE_EXECUTING
+// (RequestInputs), later steps by updates of the input within RequestData. VTK's CONTINUE_EXECUTING
 // is not used: its loop never ends if the input fails (VTK 9.1 to 9.6).
 
 #ifndef SurfaceRequests_h
@@ -29,8 +29,8 @@ class vtkMultiProcessController;
 namespace activesurface
 {
 
-// Records that an update is running. An update calls observers of its progress and messages; their
-// calls must not remove the data in use.
+// Records that an update is running. An update calls the observers of its progress and messages.
+// Calls by an observer must not remove the data in use.
 class UpdateInProgress
 {
 public:
@@ -95,8 +95,8 @@ public:
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Returns true if the last update reached the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
-  // Removes the newest frame if the last update rejected it, and returns true; the previous frame
-  // is then the newest again. Call this if IsAtNewestFrame returns false.
+  // If the last update rejected the newest frame, removes this frame and returns true; the previous
+  // frame is then the newest again. Call this if IsAtNewestFrame returns false.
   bool WithdrawFrame();
   // Makes the next update, or the next frame, start a new motion. Throws std::logic_error within an
   // update.
@@ -105,8 +105,8 @@ public:
   // Empties the outputs and marks them as not generated.
   void ClearOutputs(vtkInformationVector* output) { this->Outputs.Clear(output); }
 
-  // Write and read a file with the state. Throw std::exception with a message for the user,
-  // LoadState also within an update. Collective: rank 0 writes, each rank reads.
+  // Write and read a file with the state. Throw std::exception with a message for the user.
+  // LoadState also throws if an update is running. Collective: rank 0 writes, each rank reads.
   void SaveState(const std::string& file);
   void LoadState(const std::string& file);
 

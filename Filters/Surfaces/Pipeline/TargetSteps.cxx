@@ -26,8 +26,8 @@ std::string Format(double time)
 }
 
 // Returns a step other than `missing`, if possible. VTK regards a failed request for a time as
-// fulfilled, so the algorithm executes again only after a request for another time. The step made
-// last is the cheapest.
+// fulfilled, so the algorithm executes again only after a request for another time. The step that
+// was read last is the cheapest.
 int TargetSteps::FindStepBeside(int missing) const
 {
   const int made = this->Simulation.GetLastStepAdded();
@@ -63,8 +63,8 @@ void TargetSteps::Request(vtkInformation* target)
   }
 }
 
-// Omits steps that fail: they are an error when the surface reaches them. Keeps the first step, or
-// reads it again if ranks partition space.
+// Omits steps that fail: a failed step is an error only when the surface reaches this step. Keeps
+// the first step, or reads the first step again if ranks partition space.
 void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
 {
   const SurfaceSettings& settings = this->Simulation.GetSettings();

@@ -1,5 +1,5 @@
-// Requests time steps of the target's input: the first one in the usual pipeline pass, others by
-// updates within RequestData.
+// Requests time steps of the target's input: the first step in the usual pipeline pass, later steps
+// by updates within RequestData.
 
 #ifndef TargetSteps_h
 #define TargetSteps_h
@@ -27,8 +27,8 @@ public:
   // Requests the step that the simulation needs first. Call this when the inputs are requested.
   void Request(vtkInformation* target);
 
-  // Adds the requested step to the simulation if that step is still missing. Null: there is no
-  // input.
+  // Adds the requested step to the simulation if that step is still missing. target: null if there
+  // is no input.
   void AddRequested(vtkInformation* target);
 
   // Reads the first step, and more steps to estimate the particle spacing. Collective.
@@ -37,8 +37,8 @@ public:
   // Adds the first step, the input's current data, if it is still missing.
   void AddFirst(vtkInformation* target);
 
-  // Returns a step, by an update within RequestData. mayGoBack: earlier steps are available again.
-  // Throws std::runtime_error if the step is unavailable.
+  // Returns a step, by an update within RequestData. mayGoBack: earlier steps may be requested from
+  // the input. Throws std::runtime_error if the step is unavailable.
   std::shared_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
 
   // Returns the current data of the input.

@@ -1,9 +1,10 @@
-// Warnings and errors of the filter, shown by VTK; fewer within ParaView.
+// Warnings and errors of the filter, which VTK shows. Within ParaView fewer messages are shown.
 //
-// ParaView opens a window for each warning and each error. It requests each output port separately,
-// and again for each view. If a request fails, each pipeline adds a message with the request. So
-// within ParaView the same warning is shown once, and a note does not open the window. The same
-// error is shown once after each change of the filter. The outputs are then empty.
+// ParaView opens a window for each warning and each error. ParaView requests each output port
+// separately, and again for each view. If a request fails, each pipeline adds a message with the
+// request. Within ParaView the same warning is therefore shown once, and a note does not open the
+// window. The same error is shown once after each change of the filter. The outputs of a failed
+// request are empty.
 
 #ifndef UserMessages_h
 #define UserMessages_h

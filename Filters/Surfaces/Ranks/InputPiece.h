@@ -1,10 +1,10 @@
 // The piece of an input on one rank, reduced to the needed data.
 //
 // Each rank requests its own piece. The pieces of meshes, skeletons and images are sent to all
-// ranks and assembled to the whole input there (PieceGather.h); particles may stay distributed
-// instead (Targets/OwnedParticles.h). Data at the border of two pieces occur once in the whole:
-// ghosts are omitted, equal points of meshes are merged later (MeshTriangles.h), and nodes of
-// images are identified by their index.
+// ranks and assembled to the whole input on each rank (PieceGather.h); particles may stay
+// distributed instead (Targets/OwnedParticles.h). Data at the border of two pieces occur once in
+// the whole: ghosts are omitted, equal points of meshes are merged later (MeshTriangles.h), and
+// nodes of images are identified by their index.
 
 #ifndef InputPiece_h
 #define InputPiece_h

@@ -32,8 +32,8 @@ int RankedPipeline::ForwardUpstream(vtkInformation* request)
   }
   const bool isForData = request->Has(REQUEST_DATA()) || request->Has(REQUEST_UPDATE_EXTENT());
   bool& hasFailed = isForData ? this->DataFailed : this->InformationFailed;
-  // UPDATE_EXTENT precedes DATA, and DATA_OBJECT precedes INFORMATION: a second request keeps the
-  // failure of the first.
+  // Requests come in pairs: UPDATE_EXTENT before DATA, and DATA_OBJECT before INFORMATION. A
+  // failure of the first request is kept during the second.
   const bool isSecond = request->Has(REQUEST_DATA()) || request->Has(REQUEST_INFORMATION());
   hasFailed = !isDone || (isSecond && hasFailed);
   return 1;

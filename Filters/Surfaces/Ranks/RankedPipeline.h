@@ -1,6 +1,6 @@
 // Executive of a filter that runs on several ranks together. The filter executes even if its input
-// has failed on this rank: it then joins the collective call in which the other ranks wait, and
-// reports the failure there.
+// has failed on this rank. In this case the filter joins the collective call in which the other
+// ranks wait, and there reports the failure.
 
 #ifndef RankedPipeline_h
 #define RankedPipeline_h
@@ -16,8 +16,8 @@ public:
   static RankedPipeline* New();
   vtkTypeMacro(RankedPipeline, vtkCompositeDataPipeline);
 
-  // Turns this behaviour on or off for an algorithm with this executive; another executive is left
-  // unchanged. If off, this executive does what its superclass does.
+  // Turns the execution after a failure of the input on or off. If off, this executive does what
+  // its superclass does. Does nothing for an algorithm with another executive.
   static void SetIsOneOfMany(vtkAlgorithm* algorithm, bool isOneOfMany);
 
   // Returns true if the inputs failed at their last request; false for another executive.

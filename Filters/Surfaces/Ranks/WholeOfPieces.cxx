@@ -33,8 +33,8 @@ bool AreAlike(vtkAbstractArray* a, vtkAbstractArray* b)
     a->GetNumberOfComponents() == b->GetNumberOfComponents();
 }
 
-// Returns the array of this name of each piece, null for a null piece; empty if the array is
-// missing in a piece.
+// Returns each piece's array of this name, or null for a null piece. Returns an empty list if a
+// piece has no such array.
 std::vector<vtkAbstractArray*> FindArrays(
   const Pieces& pieces, const char* name, const std::string& what)
 {

@@ -18,8 +18,8 @@ namespace activesurface
 void MakeOneCell(vtkPolyData* points);
 
 // Join pieces of one kind. A piece is null if its rank has no data; at least one is not null.
-// AppendPieces omits point arrays that are missing in a piece; AssembleImage throws for them. Both
-// functions throw std::invalid_argument for incompatible pieces.
+// AppendPieces omits point arrays that are missing in a piece; AssembleImage throws for such
+// arrays. Both functions throw std::invalid_argument for incompatible pieces.
 vtkSmartPointer<vtkDataSet> AppendPieces(
   const std::vector<vtkDataSet*>& pieces, const std::string& what);
 vtkSmartPointer<vtkDataSet> AssembleImage(

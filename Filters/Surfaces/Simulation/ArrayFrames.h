@@ -21,8 +21,8 @@ struct RequestedArrays
   ParticleArrays Kept;             // arrays of particles that are kept when frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
-  // Returns true if an output needs the whole skin on each rank. A distributed skin is then
-  // gathered.
+  // Returns true if an output needs the whole skin on each rank, so that a distributed skin has to
+  // be gathered.
   bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
 };
 
@@ -35,8 +35,9 @@ struct ArrayFrames
   double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
 };
 
-// Returns the interval up to the requested time (at the first step, the interval after it) if
-// wantsInterval, for particle velocities. Otherwise returns the frames at the requested time only.
+// Returns the frames at the requested time. If wantsInterval, for particle velocities, returns the
+// frames of the interval up to the requested time instead; at the first step, of the interval after
+// this step.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 

@@ -28,9 +28,10 @@ double FindDistance(double value, const double gradient[3])
   return std::isfinite(slope) && slope > 0.0 ? value / slope : far;
 }
 
-// Makes an obstacle from an implicit function by FindDistance. Where the gradient vanishes or is
-// not finite, the distance is infinite with the sign of F, or 0 if F is 0. origin: origin of the
-// obstacle's points. The function must not change during the obstacle's lifetime.
+// Makes an obstacle whose distances are those of FindDistance for an implicit function. Where the
+// gradient vanishes or is not finite, the distance is infinite with the sign of F, or 0 if F is 0.
+// origin: origin of the obstacle's points. The function must not change during the obstacle's
+// lifetime.
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin)
 {
@@ -56,11 +57,11 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
 // Automatic tension, in units of Attraction * (half of the particles' spacing)^2. TensionWeighting
-// reduces it to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx).
+// reduces the tension to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx).
 constexpr double TensionOfSpacing = 1.0 / 2.0;
 
 // Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
-// are repeated in the whole margin, so particles at the walls have their neighbours too.
+// are repeated in the whole margin, so particles at the walls have all of their neighbours.
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
@@ -122,9 +123,10 @@ bool MotionDriver::StaysOnNodes() const
 }
 
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
-// as the others. The duration of this step may be unknown yet. An automatic tension is proportional
-// to the attraction, so its effect does not depend on the duration. Under automatic attraction, the
-// effect of a given Tension depends on the duration, so it is ignored here.
+// as later frames. The duration of this step may be unknown yet. An automatic tension is
+// proportional to the attraction, so its effect does not depend on the duration. The effect of a
+// given Tension under automatic attraction depends on the duration, so this Tension is ignored
+// here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
@@ -224,8 +226,8 @@ void MotionDriver::UseNodes(double attraction, Motion& motion) const
   }
 }
 
-// Places the target in the interval from a step to the next one, or at the step if no next frame is
-// stored.
+// Places the target in the interval from a step to the next one, or at the step itself if the frame
+// of the next step is not stored.
 void MotionDriver::PlaceTargetFrom(int step)
 {
   this->Shapes.UseFramesFrom(step);

@@ -36,8 +36,8 @@ public:
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
-  // Initializes the band from the initial shape, or from the target. This and the two functions
-  // below return false if `progress` cancelled them, and throw like NarrowBand.
+  // Initializes the band from the initial shape, or from the target. Start and the two functions
+  // below return false if `progress` cancelled the call, and throw like NarrowBand.
   bool Start(NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress);
 
   // Advances from a step, or from an interruption after it, to a time up to the next step.
@@ -47,8 +47,8 @@ public:
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
-  // Returns the parameters of the motion from a step to the next one; step -1: at the start.
-  // hasParticles: a frame at one end of this interval has particles.
+  // Returns the parameters of the motion from a step to the next one; step -1: the motion at the
+  // start. hasParticles: a frame at one end of this interval has particles.
   Motion GetMotion(int step, bool hasParticles) const;
   Motion GetMotion(int step) const
   {

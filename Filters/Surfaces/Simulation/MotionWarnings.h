@@ -14,7 +14,7 @@ namespace activesurface
 {
 
 // Warns if the motion restarts because the input's data were replaced between requests for two
-// ascending times. This happens in a loop that is meant to animate the skin.
+// ascending times. A loop that replaces the data to animate the skin does this.
 class RestartWarning
 {
 public:
@@ -39,7 +39,7 @@ struct MotionEnd
   bool MayComeBack; // a vanished skin may be created again
 };
 
-// Warns if the skin has vanished, if a control EXACT cancelled all of the attraction, or if the
+// Warns if the skin has vanished, if an EXACT control cancelled the whole attraction, or if the
 // target was not finite at some points.
 void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages);
 

@@ -23,13 +23,13 @@ struct ParticlesAtTime
   PeriodicBox Box;
 
   // Returns x y z for each particle, NaN where unknown: the velocities of the frames if available,
-  // otherwise the displacement between the frames over `duration`.
+  // otherwise the displacement between the frames divided by `duration`.
   std::vector<double> FindVelocities(double duration) const;
 };
 
-// Interpolates the particles at a fraction of the interval from a step to the next one. 0 and 1
-// yield exactly the particles of one step. `step` has to be stored if fraction < 1, otherwise the
-// step after it. The result refers to the frames.
+// Interpolates the particles at a fraction of the interval from a step to the next one. The
+// fractions 0 and 1 yield exactly the particles of one step. `step` has to be stored if fraction <
+// 1, and step + 1 if fraction = 1. The result has pointers to the frames.
 ParticlesAtTime FindParticlesAt(
   const TargetFrames& frames, int step, const PeriodicBox& box, double fraction);
 

@@ -236,8 +236,8 @@ std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Co
   return nearest;
 }
 
-// Rounds to the nearest integer, halves upwards; VTK would truncate. Clamps, as the sum of the
-// weights is 1 only up to rounding.
+// Rounds to the nearest integer, halves upwards; VTK would truncate. Clamps to [0,255], because the
+// sum of the weights is 1 only up to rounding.
 void RoundColors(std::vector<double>& averages)
 {
   constexpr double largest = 255.0;

@@ -25,12 +25,12 @@ struct PassedArrays
 // Adds the particles' arrays to the skin. Floating-point arrays and colours (unsigned char, 3 or 4
 // components; rounded to the nearest integer, halves upwards) are averages with the weights of
 // ParticleWeights; other arrays have the value of the particle of the largest weight. Omits ghost
-// levels and arrays of a name that the skin has already. Omits arrays that one of the two steps
-// does not have, or has with another type or number of components.
+// levels, and arrays whose name an array of the skin has already. Omits arrays that are missing in
+// one of the two steps, or differ between the steps in type or number of components.
 //
-// If there are velocities, adds their average, without its component along `directions`, to the
-// skin's array "Velocity", which is along `directions` (unit vectors). Does nothing without
-// particles.
+// The skin's array "Velocity" is along `directions` (unit vectors). If the particles have
+// velocities, adds to this array their average without its component along `directions`. Does
+// nothing without particles.
 void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin);
 
 }

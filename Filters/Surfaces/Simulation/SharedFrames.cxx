@@ -134,7 +134,7 @@ std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, i
   return Domain::Share(shape.Owned->Ranks, std::move(costs));
 }
 
-// Matches the particles that this rank owns. All ranks share the decision if particles are
+// Matches the particles that this rank owns. All ranks decide together whether particles are
 // shuffled. Collective.
 ParticleMatches SharedFrames::MatchOwned(int first) const
 {
@@ -149,8 +149,9 @@ ParticleMatches SharedFrames::MatchOwned(int first) const
                                                                : matches;
 }
 
-// Sends each particle, at both steps, to all ranks that may need the particle between the steps:
-// ranks whose partition meets the box around its two positions, enlarged by the margin.
+// Sends each particle, with its data at both steps, to all ranks that may need the particle between
+// the steps. The partition of such a rank meets the box around the particle's two positions,
+// enlarged by the margin.
 void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
 {
   const InputShape& earlier = *this->OwnedFrames.Find(first);

@@ -31,9 +31,9 @@ public:
   PassedArrays FindPassedArrays() const;
 
   // Returns the largest speed of the particles in the interval up to the requested time (at the
-  // first step, in the interval after it). The speed is the displacement plus the change of radius
-  // over the duration, or a larger passed velocity. Returns 0 if no particle is matched between two
-  // stored frames or none moves, and for other targets.
+  // first step, in the interval after it). The speed is (displacement + change of radius) /
+  // duration, or the passed velocity if that is larger. Returns 0 if no particle is matched between
+  // two stored frames, if no particle moves, and for targets without particles.
   double FindFastestParticle(const PassedArrays& passed) const;
 
 private:

@@ -14,15 +14,16 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation: 0
-  // along an axis with bounds near 0, otherwise near the centre of the bounds (LatticeOrigin.h).
+  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation:
+  // The position is 0 along an axis with bounds near 0, otherwise near the centre of the bounds
+  // (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin
   double VoxelSize = 0.0;
   double Reach = 0.0; // of the target [length]
 
   // Finds the first and last index, along each axis, of the smallest box of nodes that contains the
-  // bounds. Returns false for indices beyond 10^9.
+  // bounds. Returns false if an index would be beyond 10^9.
   bool GetExtent(int extent[6]) const;
 };
 
@@ -38,9 +39,9 @@ struct FirstShapes
 // Makes the domain from the bounds of the settings.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
-// Makes the domain from the boxes of the target and the initial shape. The box of shapes is
-// enlarged by an eighth of its longest side at each end. If there are images, the box of both is
-// enlarged by two voxels at each end.
+// Makes the domain from the boxes of the target and the initial shape. The box of all shapes except
+// images is enlarged by an eighth of its longest side at each end. If there are images, the common
+// box of images and shapes is enlarged by two voxels at each end.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
 // Makes a domain without extent, for a start on an empty frame. Requires HasOwnSizes() of the

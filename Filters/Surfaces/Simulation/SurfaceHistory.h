@@ -24,20 +24,21 @@ struct RecordedState
   std::string Event; // empty: found by comparison with the row before
 };
 
-// Rows up to the latest step that was reached, even after a return to an earlier step. Keeps the
-// parts of the skin at the last row, to find the events of the next row.
+// Rows of the history, up to the latest step that was reached, even after a return to an earlier
+// step. Keeps the parts of the skin at the last row, to find the events of the next row.
 class HistoryRecorder
 {
 public:
   void Clear();
 
-  // Interrupt forgets the parts of the skin: the next row has no event. ContinueFrom uses the parts
-  // of a band instead: the next row has the events since then. Both functions keep the rows.
+  // Interrupt deletes the stored parts of the skin, so the next row has no event. ContinueFrom
+  // stores the parts of a band instead, so the next row has the events since that band. Both
+  // functions keep the rows.
   void Interrupt();
   void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 
-  // Records the band at a time, and its work since the row before. Collective for a part of a band:
-  // only rank 0 then records parts of the skin.
+  // Records the band at a time, and the work since the previous row. If the band is a part, the
+  // call is collective, and only rank 0 records the parts of the skin.
   void Record(std::size_t row, const NarrowBand& band, const RecordedState& moment);
 
   // Returns the fraction of the target outside the skin in a row; NaN without such a row.

@@ -71,8 +71,8 @@ void CheckBox(const Property& property, const std::array<double, 6>& bounds)
   }
 }
 
-// Returns the index of the first step that is not finite or not after the one before it; the number
-// of steps if all are valid.
+// Returns the index of the first step that is not finite or not after the previous step; the number
+// of steps if all steps are valid.
 std::size_t FindBadStep(const std::vector<double>& steps)
 {
   std::size_t i = 0;

@@ -139,9 +139,10 @@ struct SurfaceSettings
   // Returns the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
-  // Least Attraction * duration of a time step for the node scheme; substeps replace the scheme
-  // below it. The node scheme evaluates the target only near the target's surface. A skin whose
-  // distance falls by less than a factor e^2 may be elsewhere.
+  // Least Attraction * duration of a time step for the node scheme; below this value substeps
+  // replace the node scheme. The node scheme evaluates the target only near the target's surface.
+  // If the skin's distance to the target falls by less than a factor e^2, the skin may be outside
+  // this region.
   static constexpr double FewestFactorsOfNodes = 2.0;
   // Returns true if ranks may partition space: the node scheme makes all time steps, over a moving
   // input of anisotropic particles of one radius. Requires that there is no VolumeControl, no

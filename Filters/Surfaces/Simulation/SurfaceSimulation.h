@@ -41,14 +41,14 @@ namespace activesurface
 {
 
 // The part of a surface within the sides of a periodic box, for the outputs. The state itself
-// extends beyond the sides, so that the surface enters the box from there.
+// extends beyond the sides, so that the surface can enter the box from outside.
 class BoxView
 {
 public:
   void Clear() { this->Last = {}; }
 
-  // Returns the part within the sides, closed at them. Caches the parts of the last two surfaces:
-  // the same surface yields the same object.
+  // Returns the part within the sides, closed at the sides. Caches the parts of the last two
+  // surfaces: the same surface yields the same object.
   std::shared_ptr<const NarrowBand> Cut(
     const std::shared_ptr<const NarrowBand>& whole, const Walls& sides)
   {
@@ -86,7 +86,7 @@ class SurfaceSimulation
 public:
   using FrameSource = std::function<std::shared_ptr<InputShape>(int step)>;
 
-  // Sets the listener for warnings and notes. Each reason is reported once, and again after a
+  // Sets the listener for warnings and notes. The same message is reported once, and again after a
   // change of the settings.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
   void SetLimits(const SimulationLimits& limits);
@@ -100,8 +100,8 @@ public:
     return this->HasBegun() && (this->Settings == settings || this->IsLengthenedBy(settings));
   }
 
-  // Removes the last step if the surface is at the step before it and its frame is not stored.
-  // Returns false if the step stays.
+  // Removes the last step if the surface is at the step before and the frame of the last step is
+  // not stored. Otherwise returns false.
   bool WithdrawLastStep()
   {
     const int last = this->Settings.GetNumberOfSteps() - 1;
@@ -128,8 +128,8 @@ public:
     return this->Settings.CanShareSpace() && this->Shapes.FindSpacing() > 0.0;
   }
 
-  // Describes the time of the surface and the frames that it needs. Ranks compare this text, which
-  // is the same on all ranks while their states agree.
+  // Describes the time of the surface and the frames that the surface needs. Ranks compare this
+  // text, which is the same on all ranks while their states agree.
   std::string DescribeState() const
   {
     return this->Path.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
@@ -153,7 +153,7 @@ public:
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
 
-  // Advances to the requested time; returns false if `progress` cancelled it. Throws
+  // Advances to the requested time; returns false if `progress` cancelled the motion. Throws
   // std::invalid_argument for invalid settings, and exceptions of NarrowBand and `frames`. An
   // exception at the start resets everything; a later exception leaves the state of the last
   // finished substep.
@@ -207,7 +207,7 @@ public:
   // Returns the parameters of the motion at the requested time, for speeds.
   Motion GetMotion() const;
   // Values in the interval before the requested time; at the first step, in the interval after it.
-  // All are 0 if domain and skin are missing.
+  // All values are 0 if there is neither a domain nor a skin.
   ValuesInUse GetValuesInUse() const
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
@@ -216,13 +216,14 @@ public:
       : ValuesInUse();
   }
 
-  // Returns the state at the last step up to the requested time. The band is null without such a
-  // state: before the start, after an interruption, and with EvolutionMode EQUILIBRIUM.
+  // Returns the state at the last step up to the requested time. The band of the result is null if
+  // there is no such state: before the start, after an interruption, and with EvolutionMode
+  // EQUILIBRIUM.
   SavedState GetState() const;
   // Gathers the state of all ranks on rank 0; others get no band. Collective.
   SavedState GatherState() const;
-  // Resets, and starts the surface with this state from now on. A change of settings after the next
-  // Configure discards it.
+  // Resets the simulation. From now on the surface starts with this state. A change of settings
+  // after the next Configure discards the state.
   void SetState(const SavedState& state);
 
   // Rows of the steps up to the requested time.
@@ -236,8 +237,8 @@ public:
 
 private:
   // Returns true if the settings only append steps to the input, and the motion so far is valid for
-  // them. An input of one step is static, and the filter uses its own clock. A motion along that
-  // clock is not valid once the input has more steps.
+  // them. An input of one step is static, and the filter uses its own time steps. A motion over
+  // these time steps is not valid once the input has more steps.
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
     const bool isOnSteps =

@@ -28,8 +28,8 @@ double FindMargin(const SurfaceStart& start)
   return start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
 }
 
-// Finds the box to sample. With walls it is two voxels wider at each end, so that the surface can
-// close at them.
+// Finds the box to sample. With walls the box is two voxels wider at each end, so that the surface
+// can close at the walls.
 void FindBounds(const SurfaceStart& start, double bounds[6])
 {
   const double margin = FindMargin(start);
@@ -127,8 +127,8 @@ bool StartOn(
   {
     return false;
   }
-  // Sharpens the edge between shape and wall, which the distances of the start round by a few
-  // hundredths of a voxel.
+  // Sharpens the edge between shape and wall: the distances of the start have rounded this edge by
+  // a few hundredths of a voxel.
   if (start.Box.Present || start.Solid)
   {
     band.Confine(start.Box, start.Solid);

@@ -20,8 +20,8 @@ namespace
 // the band and its ghosts.
 constexpr double InitialReach = 8.0;
 
-// Largest number of voxels of distances to a mesh, per active voxel: their band is wider than the
-// skin's and has fewer bytes per voxel.
+// Limit of the voxels of a mesh's distance grid, per active voxel allowed for the skin. The band of
+// the distance grid is wider than the skin's band, and has fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
 // The surface of static particles deviates by up to a quarter of their spacing.

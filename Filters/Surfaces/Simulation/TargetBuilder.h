@@ -20,7 +20,7 @@
 namespace activesurface
 {
 
-// Values of the properties that may be automatic, in world units and motion time; 0: none, or
+// Values of the properties that may be automatic, in world units and motion time; 0: unused or
 // unknown.
 struct ValuesInUse
 {
@@ -47,7 +47,8 @@ public:
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
   // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument, and
-  // does not store the frame, if it is of another kind than earlier frames or cannot be used.
+  // does not store the frame, if the frame is of another kind than earlier frames or cannot be
+  // used.
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
@@ -56,7 +57,7 @@ public:
   void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
-  // Returns the distance along each axis from a rank's leaves within which it needs particles
+  // Returns the distance along each axis from a rank's leaves within which the rank needs particles
   // [voxels].
   int FindMarginOfRanks();
 
@@ -69,7 +70,8 @@ public:
   }
 
   // Returns true if one of the stored frames from `first` to `last` has particles; for a static
-  // target its only frame counts. Later frames do not count: they may be unknown yet.
+  // target, if its only frame has particles. Later frames are ignored, because they may be unknown
+  // yet.
   bool HasParticles(int first, int last) const
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
@@ -114,11 +116,12 @@ public:
   std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
   // Sets the spacing to the smallest spacing of the frames with enough particles. Uses the spacing
-  // of the first sample, from the first frame, if the two differ by at most 1 %.
+  // of the first sample, from the first frame, if it differs from the smallest spacing by at most 1
+  // %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // Returns a box that contains the inside of the target at a stored step; for a function or an
-  // inverted target the bounds of the domain. Not valid if there is no target.
+  // inverted target, returns the bounds of the domain. Not valid if there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
   // Sets the initial shape from its input. Throws std::invalid_argument if it is not usable.
@@ -158,8 +161,9 @@ public:
   MovingTarget* GetMovingTarget();
 
   // Returns a separate target with the same attraction. This target moves from a stored step to the
-  // next one between two motion times. Add and Clear invalidate it, as it uses the stored frames.
-  // hasPoints: it can be evaluated at points, at the beginning of the interval.
+  // next one between two motion times. Add and Clear invalidate the separate target, because it
+  // uses the stored frames. hasPoints: the target can be evaluated at points, at the beginning of
+  // the interval.
   std::unique_ptr<PotentialTarget> MakeTargetAt(
     int step, double begin, double end, bool hasPoints = true) const;
 

@@ -19,8 +19,9 @@ constexpr std::size_t EnoughInside = 4096;
 constexpr int PointsPerBatch = 4096;
 constexpr int MostBatches = 16;
 
-// Point i has the fractional parts of 1/2 + i * Steps as coordinates. These are powers of 1/x with
-// x^4 = x + 1: any number of points is spread evenly (a Kronecker sequence in three dimensions).
+// The coordinates of point i are the fractional parts of 1/2 + i * Steps (a Kronecker sequence in
+// three dimensions). Steps are powers of 1/x with x^4 = x + 1, which spread any number of points
+// evenly.
 constexpr double Steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
 
 std::vector<double> SpreadPoints(const double bounds[6], int batch)

@@ -150,8 +150,8 @@ std::size_t Checkpoints::GetSize() const
   return size;
 }
 
-// Removes the state that leaves the smallest gap. Removes the first state last, because without it
-// an earlier time restarts the motion.
+// Removes the state that leaves the smallest gap. Removes the first state last, because without the
+// first state a request for an earlier time restarts the motion.
 void Checkpoints::MakeRoom()
 {
   while (!this->States.empty() && this->GetSize() > this->Memory)

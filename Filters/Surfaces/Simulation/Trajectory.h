@@ -1,8 +1,9 @@
 // The motion of a surface from step to step, and its branch to a time between two steps.
 //
-// The trajectory consists of the states at the steps. It does not depend on requests for times
-// between steps: a branch, a copy of the earlier step's state, moves to such a time. An interrupted
-// motion resumes from its last substep. No branch starts from the state of an interruption.
+// The trajectory consists of the states at the steps. Requests for times between steps do not
+// change the trajectory: for such a time a branch, which is a copy of the earlier step's state,
+// moves to this time. An interrupted motion resumes from its last substep. No branch starts from
+// the state of an interruption.
 
 #ifndef Trajectory_h
 #define Trajectory_h
@@ -78,24 +79,24 @@ public:
   bool IsAtStart() const { return this->Step <= 0 && !this->IsUnfinished() && !this->HasBranch(); }
 
   // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
-  // at which it vanished.
+  // at which it vanished; this is no interruption.
   bool IsUnfinished() const;
 
-  // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, after
-  // FinishSteadyState.
+  // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, if
+  // FinishSteadyState has been called too.
   bool IsAt(const RequestedTime& time) const;
   bool HasBranch() const { return this->Branch != nullptr; }
 
-  // Returns the band to move to the next step: a copy if an output uses the present band. Discards
-  // the branch.
+  // Returns the band to move to the next step: a copy of the present band if an output uses the
+  // present band. Discards the branch.
   NarrowBand& GetBandToMove();
   // Has to be called when the band is at the next step.
   void FinishStep() { ++this->Step; }
   // Has to be called in a steady state, or when MaximumSubsteps is reached.
   void FinishSteadyState() { this->IsSteady = true; }
 
-  // Returns the band to move to a time between this step and the next one. Another time than before
-  // starts a new branch.
+  // Returns the band to move to a time between this step and the next one. A time that differs from
+  // that of the branch starts a new branch.
   NarrowBand& GetBranchTo(PipelineTime time);
   void FinishBranch() { this->BranchIsUnfinished = false; }
 
@@ -103,8 +104,8 @@ public:
   std::string Describe() const;
 
   const NarrowBand& GetBand() const { return *this->Band; }
-  // Returns the band at a time for which IsAt() is true, to keep: it is not modified later. Null
-  // before the first step.
+  // Returns the band at a time for which IsAt() is true. This band is not modified later, so
+  // callers may keep it. Null before the first step.
   std::shared_ptr<const NarrowBand> Share(const RequestedTime& time) const;
   std::shared_ptr<const NarrowBand> ShareAtStep() const { return this->Band; }
 

@@ -1,9 +1,10 @@
 // Values and gradients of any vtkImplicitFunction.
 //
-// Uses the function's own gradient if it is reliable, else central differences. VTK's
-// vtkImplicitBoolean returns the gradient of a difference for a union and an intersection. So a
-// vtkImplicitBoolean is evaluated term by term, and the term that determines the value provides the
-// gradient. The sign of such a gradient may be wrong; its length is correct.
+// Uses the function's own gradient if this is reliable, otherwise central differences. VTK's
+// vtkImplicitBoolean returns the gradient of a difference for a union and an intersection. A
+// vtkImplicitBoolean is therefore evaluated term by term, and the term that determines the value
+// provides the gradient. The sign of the gradient of a vtkImplicitBoolean may be wrong; its length
+// is correct.
 
 #ifndef FunctionSampler_h
 #define FunctionSampler_h

@@ -28,7 +28,7 @@ namespace
 class BlendedTarget : public MovingTarget
 {
 public:
-  // The caller owns the frames. They must contain the steps that MoveAlong uses; each step that is
+  // The caller owns the frames, which must contain the steps that MoveAlong uses; each step that is
   // not empty must have a function. differences: step of the central differences (FunctionSampler).
   // outside: value of a frame without a function. knowsParts: the parts of the functions are
   // available (GridParts.h).

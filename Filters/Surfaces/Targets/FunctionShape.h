@@ -1,6 +1,6 @@
 /**
- * A shape given by an implicit function. It copies the input's points and cells, and shares the
- * values of an image with the input (ImageShape.cxx).
+ * A shape given by an implicit function. The shape copies the input's points and cells, and shares
+ * the values of an image with the input (ImageShape.cxx).
  */
 #ifndef FunctionShape_h
 #define FunctionShape_h

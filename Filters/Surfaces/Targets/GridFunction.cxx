@@ -25,8 +25,8 @@ void ReadGrid(vtkGridPotential* grid, vtkDataSet* data)
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize)
 {
   // A fraction this large is visible: on a body 64 voxels across, a patch of about ten by ten
-  // voxels. It is six times the sampling error of the fraction (SurfaceSample.h), so it is not
-  // random.
+  // voxels. This fraction is six times its sampling error (SurfaceSample.h), so a larger fraction
+  // is not random.
   constexpr double negligible = 0.005;
   constexpr double voxels = 2.0;
   auto grid = vtkGridPotential::SafeDownCast(function);

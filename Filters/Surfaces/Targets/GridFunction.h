@@ -12,8 +12,8 @@ namespace activesurface
 {
 
 /**
- * Sets the input of a function and reads it. Set the other properties before. Throws
- * std::runtime_error for unusable data. The caller has to report defects.
+ * Sets the input of a function, and reads this input. The other properties of the function have to
+ * be set before. Throws std::runtime_error for unusable data. The caller has to report defects.
  */
 void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
 

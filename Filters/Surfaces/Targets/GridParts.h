@@ -18,8 +18,8 @@ struct TargetOptions;
 bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
 
 /**
- * Visits the parts of F - iso, or of iso - F if inverted; none if they are unavailable. Their
- * points are relative to the origin.
+ * Visits the parts of the shape F < iso, or F > iso if inverted; none if the parts are unavailable.
+ * Points of the parts are relative to the origin.
  */
 void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
   const PartVisitor& visit, const std::array<double, 3>& origin = {});

@@ -41,7 +41,8 @@ struct ImageLevel
  * - volume fractions (all > -0.1, the largest within 0.1 of 1, more than half within 0.001 of 0 or
  *   1): 0.5
  *
- * Returns `given` for other values, and if all are equal. Ignores values that are not finite.
+ * Returns `given` for other values, and if all values are equal. Ignores values that are not
+ * finite.
  */
 ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given);
 

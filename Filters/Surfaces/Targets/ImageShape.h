@@ -20,8 +20,8 @@ public:
   bool CanStart() const override { return true; }
 
   /**
-   * Makes the function. Uses the level and side of the options; if the level is 0, the level and
-   * side that suit the values (ImageShape.cxx).
+   * Makes the function. Uses the level and side of the options, unless the level is 0. In this case
+   * chooses the level and side that suit the values (ImageShape.cxx).
    */
   std::string Prepare(ShapePreparation& preparation) override;
   std::string DescribeThinParts(const ShapeOptions& options) const override;

@@ -37,8 +37,8 @@ public:
   bool IsOfKindOf(const InputShape& other) const;
 
   /**
-   * Returns false for an input without points. It has no kind, and is compatible with shapes of all
-   * kinds.
+   * Returns false for an input without points. Such an input has no kind, and is compatible with
+   * shapes of all kinds.
    */
   virtual bool HasPoints() const { return true; }
 
@@ -74,8 +74,8 @@ public:
   virtual std::string DescribeThinParts(const ShapeOptions& options) const;
 
   /**
-   * Adds the box of a shape, which the domain must enclose, or of an image, which the domain
-   * equals.
+   * Adds the box of a shape to `shapes`, which the domain must enclose, or the box of an image to
+   * `images`, which the domain equals.
    */
   virtual void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
@@ -86,8 +86,8 @@ public:
   virtual double GetPixel() const { return 0.0; }
 
   /**
-   * Returns the target along frames of this kind and empty frames. The caller owns the frames; they
-   * must contain the steps that the target's MoveAlong uses.
+   * Returns the target along frames of this kind and empty frames. The caller owns the frames,
+   * which must contain the steps that the target's MoveAlong uses.
    */
   virtual std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const = 0;

@@ -14,7 +14,8 @@ public:
   using PotentialTarget::PotentialTarget;
 
   // Sets the motion: from this step to the next one between two motion times. Until the next
-  // MoveTo, the target is at this step. It stays there if there is no next step, or if end = begin.
+  // MoveTo, the target is at this step. The target stays at this step if there is no next step, or
+  // if end = begin.
   void MoveAlong(int step, double begin, double end);
 
   // Call this after MoveAlong if the target is evaluated before the first MoveTo.

@@ -1,7 +1,8 @@
 // Distributed particles of an input. Each rank owns some of the particles, its owned part.
 //
-// The owner of a particle follows from its id, or from its index in the whole input. So a particle
-// has the same owner in each time step, and its positions in two steps are available on one rank.
+// The owner of a particle follows from its id, or from its index in the whole input. A particle
+// therefore has the same owner in each time step, and the owner has the particle's positions in two
+// steps.
 
 #ifndef HomeParticles_h
 #define HomeParticles_h
@@ -31,8 +32,8 @@ struct OwnedPart
 ParticleFrame SendToOwners(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
-// Returns all particles of an input on each rank, as one process has them. owned: the particles
-// that this rank owns. Collective.
+// Returns all particles of an input on each rank, as a single process would read the particles.
+// owned: the particles that this rank owns. Collective.
 std::shared_ptr<InputShape> GatherShape(const InputShape& owned);
 
 }

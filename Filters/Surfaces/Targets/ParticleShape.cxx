@@ -18,8 +18,8 @@ namespace activesurface
 namespace
 {
 
-// Throws for cells other than vertices. A vtkPolyData needs no check: with lines or polygons it is
-// a skeleton or a mesh (InputKinds.cxx).
+// Throws for cells other than vertices. A vtkPolyData needs no check: a vtkPolyData with lines or
+// polygons is read as a skeleton or a mesh (InputKinds.cxx).
 void CheckHasVerticesOnly(vtkDataSet* data)
 {
   const vtkIdType count = vtkPolyData::SafeDownCast(data) ? 0 : data->GetNumberOfCells();

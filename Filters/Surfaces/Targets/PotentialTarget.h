@@ -1,5 +1,5 @@
-// A potential F as the target of a surface. Selects the level and the side of F, and F or the
-// distance derived from F as the attraction.
+// A potential F as the target of a surface. Selects the level and the side of F. The attraction
+// uses F, or the distance derived from F.
 
 #ifndef PotentialTarget_h
 #define PotentialTarget_h
@@ -22,8 +22,8 @@ struct TargetOptions
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
 
-  // Distance below which a deviation of the surface may be noise [length]. The attraction is then
-  // reduced, down to 3 %. 0: none. Used with Normalize only.
+  // Distance below which a deviation of the surface may be noise [length]. Within this distance the
+  // attraction is reduced, down to 3 %. 0: no reduction. Used with Normalize only.
   double Noise = 0.0;
 };
 

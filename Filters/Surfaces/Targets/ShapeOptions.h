@@ -30,8 +30,8 @@ struct ShapeOptions
   double NoiseAtNodes = 0.0; //< noise at nodes [length], replaces Level.Noise
 
   /**
-   * Flags: the target provides its velocity; the target determines where tension acts; hollows can
-   * open.
+   * Carries: the target provides its velocity. WeighsTension: the target determines where tension
+   * acts. OpensHollows: hollows can open.
    */
   bool Carries = false;
   bool WeighsTension = false;

@@ -60,8 +60,8 @@ struct ShapePreparation
 
   /**
    * Sets the support radii of a frame's particles, from their radii if there are any. Estimates the
-   * spacing from this frame if it is needed and not yet estimated. Throws std::invalid_argument if
-   * all particles coincide and there are neither radii nor a KernelRadius.
+   * spacing from this frame if the spacing is needed and has not been estimated. Throws
+   * std::invalid_argument if all particles coincide and there are neither radii nor a KernelRadius.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);
 

@@ -19,8 +19,9 @@ class TargetFrames
 public:
   void Clear();
 
-  // Adds a step. Replaces the step if it is stored already; otherwise drops Earlier. box: of
-  // particles. Distributed shapes are not matched.
+  // Adds a step. Replaces the shape of a step that is stored already; otherwise drops the earlier
+  // stored step. box: periodic box of the particles. Particles of distributed shapes are not
+  // matched.
   void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
 
   // Replaces the stored steps by a step and the next one, with their matches.
@@ -41,16 +42,16 @@ public:
   // Returns the shape of a step; null if the step is not stored.
   InputShape* Find(int step) const;
 
-  // Return the particles or the function of a step's shape; no particles, or null, if there are
-  // none.
+  // Return the particles or the function of a step's shape. Without particles, GetParticles returns
+  // an empty frame; without a function, GetFunction returns null.
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
   // Returns the track from a step to the next one, if that is stored. Valid until a step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
-  // Returns the particle matches of a step and the next one; null if one is not stored, or if they
-  // are not matched.
+  // Returns the particle matches of a step and the next one; null if a step is not stored, or if
+  // the steps are not matched.
   const ParticleMatches* FindMatches(int step) const;
 
   // Returns a message about the matching; empty if there is none.
