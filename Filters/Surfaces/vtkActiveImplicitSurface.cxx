@@ -20,7 +20,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <ostream>
 

@@ -1,15 +1,16 @@
-"""Active implicit surfaces: living skins over particles, skeletons and shapes, as VTK filters.
+"""Active implicit surfaces: moving surfaces ("skins") over particles, lines and shapes, in VTK.
 
 >>> from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 
-`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default. In one call:
+`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default. Functions
+and classes:
 
-skin(particles)          the skin over particles, as they are
-frames(series)           the skins over a series of particles, one after the other
+skin(particles)          the skin over one frame of particles
+frames(series)           the skins over a series of particles, each from the previous
 morph(a, b, duration)    one shape becomes another
 LiveSurface              a skin that follows a simulation as it runs
 ParticleSeries           particles or images over time, a source of a pipeline
-history, plot_history    what has happened to a skin
+history, plot_history    area, volume, pieces and events of a skin over time
 """
 
 import importlib

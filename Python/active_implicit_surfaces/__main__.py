@@ -1,4 +1,4 @@
-"""python3 -m active_implicit_surfaces is active-surface."""
+"""Runs active-surface as python3 -m active_implicit_surfaces."""
 
 import sys
 

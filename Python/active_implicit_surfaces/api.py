@@ -46,11 +46,11 @@ def skin(
     Parameters
     ----------
     particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
-        Of PyVista, meshio or trimesh. All points are particles; cells are ignored.
+        Objects may be of PyVista, meshio or trimesh. All points are particles; cells are ignored.
     radii : array (n,) or str, optional
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of a point array; 0 is the same as no particle.
+        Weight of each particle, or the name of a point array; particles of weight 0 are ignored.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -113,18 +113,18 @@ class frames(Skins):
     where : str or sequence of str, optional
         All conditions must be met: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
     minimum_piece : int
-        Least number of particles of a cluster; smaller ones get no skin. Default: 1.
+        Least number of particles of a cluster; smaller clusters get no skin. Default: 1.
     minimum_volume : float
         Least volume of a cluster [length^3], spacing^3 per particle. Default: 0.
     probe : float, optional
-        Radius of a probe [length] that rolls over atoms (particles with radii): the skin is their
-        solvent-excluded surface, with 0 the union of their balls. Water: 1.4 Angstrom. With
-        ``pass_target_arrays=True`` the skin has the arrays of the nearest atom.
+        Radius of a probe [length] that rolls over atoms (particles with radii). The skin is the
+        solvent-excluded surface, for radius 0 the union of the atoms' balls. Water: 1.4 Angstrom.
+        With ``pass_target_arrays=True`` the skin has the arrays of the nearest atom.
     periodic : bool
         Reads ``periodic_bounds`` from the field data of molecule files: "Lattice" (edges as rows
         [length]), "Origin" and "pbc". Default: False.
     output_fps : float, optional
-        Skins per unit of time [1/time], also between frames. Default: at the particles' times.
+        Skins per unit of time [1/time], also between frames. Default: a skin per frame.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
         Named set of property values; properties given as options override it.
     arrays : dict of str, optional
@@ -277,7 +277,8 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. Their arrays are read until the next call; do not change them before it.
+            See `skin`. Do not change their arrays before the next call: the filter reads them
+            uncopied.
         dt : float
             Time since the last call [time], more than 0. The first call is at `start`.
         **arrays
@@ -347,7 +348,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets the filter's own estimate if no spacing is given; warns if a given one does not fit."""
+    """Sets the estimated spacing if none is given; warns if a given spacing does not fit."""
     own = series_spacing(frames)
     spacing = surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
@@ -392,7 +393,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
-    """Splits keywords that are a name or an array into names and arrays."""
+    """Separates keywords that name an array from keywords that contain an array."""
     names, values = {}, {}
     for role, array in given.items():
         if isinstance(array, str):

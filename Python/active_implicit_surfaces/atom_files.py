@@ -29,7 +29,7 @@ _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns o
 
 
 def read_molecule(lines: list[str]) -> Frames:
-    """Reads the frames of a file whose first line is the number of atoms."""
+    """Reads the frames of an .xyz file whose first line is the number of atoms."""
     frames: list[Frame] = []
     times, place = [], 0
     while place < len(lines):
@@ -123,7 +123,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
-    """Returns the periodic cell: three vectors, and the ones along which it repeats."""
+    """Returns the periodic cell: three edges, and a flag for each periodic edge."""
     if "lattice" not in pairs:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
@@ -141,8 +141,8 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
     """Adds atomic numbers, van der Waals radii, and elements as texts.
 
-    Symbols are elements, or names of atoms if `are_names` or if one symbol is no element. `unit`
-    is the length of one Angstrom.
+    Symbols are elements, or atom names if `are_names` is true or a symbol is no element. `unit` is
+    the length of one Angstrom.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
@@ -176,8 +176,8 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     """Returns the atomic number of each symbol, 0 if it is no element.
 
-    Symbols are names of atoms if one is a name and no element (CB, OW), or if the symbols are
-    CA, C and N, or only CA: the backbone of a protein.
+    Symbols are read as atom names if one symbol is a name but no element (CB, OW), or if all are
+    the backbone of a protein: CA, C and N, or only CA.
     """
     letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
@@ -204,7 +204,7 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
 
 
 def _may_be_a_name(letters: str, element: int) -> bool:
-    """Returns True if the symbol of an element may also be an atom's name, as HG and CD are."""
+    """Returns True if an element's symbol may also be an atom's name, such as HG or CD."""
     is_pair = len(letters) == 2 and letters.isupper() and letters not in _UNPLACED
     return bool(element) and is_pair and letters[0] in _PLACED
 
@@ -284,7 +284,7 @@ def _edges_of(line: str) -> Frame:
 
 
 def read_pdb(path: Path) -> Frames:
-    """Reads the models of a .pdb as frames; of alternate locations of an atom the first one.
+    """Reads the models of a .pdb as frames; uses the first of alternate locations of an atom.
 
     "residue" is the number in the chain, "chain" the letter of the chain, "resname" and "name"
     the names of residue and atom; "hetero" is 1 for HETATM.

@@ -92,21 +92,21 @@ def choose(
     label: int | None = None,
     note: Callable[[str], None] | None = None,
 ) -> Any:
-    """Returns the points of a cloud, or the polygons of a mesh, that meet all conditions.
+    """Selects the points of a cloud, or the polygons of a mesh, that meet all conditions.
 
-    Vectors are compared by length, or by a component as v_x, v:0 ...; x, y and z are the position
-    unless arrays have these names. A polygon is selected if all its points are, or by a cell array.
-    Texts are compared as text, numbers as numbers.
+    A vector is compared by its length, or by a component such as v_x or v:0. x, y and z are the
+    position unless arrays have these names. A polygon is selected if all its points meet the
+    condition, or by a cell array. Texts are compared as text, numbers as numbers.
 
-    A value that does not occur in the array, such as a misspelt name, causes a warning. If none of
-    the values of NAME=VALUE occurs, it is an error. If `note` is given, it is called with the
-    message in each case instead.
+    A value that the array does not contain, such as a misspelt name, causes a warning. A condition
+    NAME=VALUE of which no value occurs is an error. If `note` is given, it is called with the
+    message instead of a warning or error.
 
-    A label selects points by the array "label" or "labels"; an image becomes 1 at the label and 0
-    elsewhere.
+    A label selects points by the array "label" or "labels". An image is set to 1 at the label and
+    0 elsewhere.
 
-    Raises ValueError if there is no such array or value, an image has no such label, or a condition
-    is for an image.
+    Raises ValueError if there is no such array or value, if an image has no such label, or if
+    conditions are given for an image.
     """
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
@@ -125,7 +125,7 @@ def choose(
 
 
 def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:
-    """Returns a bool for each value: whether it meets the condition."""
+    """Returns for each value True if it meets the condition."""
     name, sign, wanted = condition
     is_text = values.dtype.kind == "U"
     numbers = [number for text in wanted for number in _number(text)]
@@ -146,7 +146,7 @@ def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None
 
 
 def _describe_values(name: str, values: Any) -> str:
-    """Describes an array for a message: all distinct values, the first ones, or the range."""
+    """Describes an array for a message: all distinct values, the first few values, or the range."""
     distinct = numpy.unique(values)
     if values.dtype.kind == "U" or len(distinct) <= _MOST_LISTED:
         listed = (repr("") if value == "" else value for value in distinct.tolist())
@@ -168,7 +168,7 @@ def note_once() -> Callable[[str], None]:
 
 
 def _values_of(data: Any, name: str) -> tuple[Any, bool]:
-    """Returns one value for each point or cell, and True if the values are of cells."""
+    """Returns one value per point or cell, and True if the array is a cell array."""
     held = ((data.GetPointData(), False), (data.GetCellData(), True))
     for attributes, is_of_cells in held:
         if (array := attributes.GetArray(name)) is not None:

@@ -1,4 +1,4 @@
-"""Closed surface of an image, the filter's initial skin: outward, without degenerate triangles."""
+"""Closed surface of an image: the filter's skin at its start, so no triangle is degenerate."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     """Returns the surface of an image at a level.
 
     - image (vtkImageData): active scalars, of points or cells, with one component.
-    - level (float): unit of the values.
-    - above (bool): inside is above the level, as in a fog volume or a density. Else below, as in a
+    - level (float): value on the surface [unit of the values].
+    - above (bool): True if inside is above the level, as in a density; False if below, as in a
       level set.
 
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
@@ -55,10 +55,10 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
-    Mask (two values): the mean of the values, inside above; if one value is negative, inside is the
-    value that the image's border mostly has not. Volume fractions (most are 0 or 1): 0.5, inside
-    above. Else: 0, inside below. With a given level, inside is also above if most values at the
-    image's border are below the level.
+    Mask (two values): the mean of the values, inside above; if one value is negative, inside is
+    the value that is rarer at the image's border. Volume fractions (most are 0 or 1): 0.5,
+    inside above. Other images: 0, inside below. If `level` is given, inside is above the level
+    if most values at the image's border are below the level.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)
@@ -141,9 +141,9 @@ def _voxel_size(image: Any) -> float:
 
 
 def _on_the_lattice(image: Any) -> tuple[Any, Any]:
-    """Moves the image's points onto nodes of the filter's lattice; returns also the offset back.
+    """Moves the image's points onto nodes of the filter's lattice; returns image and offset.
 
-    The node values are then the image's values, without interpolation.
+    On nodes the filter uses the image's values without interpolation.
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)

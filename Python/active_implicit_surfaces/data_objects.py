@@ -1,4 +1,4 @@
-"""Converts particles and meshes of Python libraries to VTK's data objects, if possible uncopied.
+"""Converts particles and meshes of Python libraries to data objects of VTK, if possible uncopied.
 
 >>> import numpy
 >>> from active_implicit_surfaces import data_objects
@@ -28,13 +28,12 @@ _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
 def as_particles(particles: Any, **arrays: Any) -> Any:
-    """Returns points and their arrays as a vtkPolyData, which shares their memory if possible.
+    """Returns points and their arrays as a vtkPolyData; shares the memory of arrays if possible.
 
     - particles (array (n, 3), vtkPointSet, or an object with `points` or `vertices`): all points
       are used; cells are left out.
     - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
-      "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; any other keeps its
-      name.
+      "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
     """
     points, own = _points_of(particles)
     cloud = vtkPolyData()
@@ -94,7 +93,7 @@ def as_shape(shape: Any) -> Any:
 
 
 def output_of(algorithm: Any, *data: Any) -> Any:
-    """Returns the output of a filter for data; of an appending filter for several."""
+    """Returns the output of a filter for one data set, or of an appending filter for several."""
     for one in data:
         (algorithm.AddInputData if len(data) > 1 else algorithm.SetInputData)(one)
     algorithm.Update()
@@ -102,14 +101,14 @@ def output_of(algorithm: Any, *data: Any) -> Any:
 
 
 def copy_of(data: Any) -> Any:
-    """Returns a shallow copy, which the next update of its source does not change."""
+    """Returns a shallow copy, which the next update of the data's source does not change."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     return copy
 
 
 def like(example: Any, skin: Any) -> Any:
-    """Returns the skin as a pyvista.PolyData if `example` is of PyVista, else as it is."""
+    """Returns the skin as a pyvista.PolyData if `example` is of PyVista, else unchanged."""
     if type(example).__module__.partition(".")[0] == "pyvista":
         return sys.modules["pyvista"].wrap(skin)
     return skin

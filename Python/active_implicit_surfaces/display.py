@@ -16,14 +16,14 @@ _PR_SET_PDEATHSIG = 1  # of Linux's prctl
 
 
 def vtk_version() -> tuple[int, ...]:
-    """(9, 1) of 9.1.0."""
+    """Returns VTK's version: (9, 1) for 9.1.0."""
     return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
 
 
 def find_display() -> None:
     """Starts a virtual display if there is none and VTK would end the program without one.
 
-    The display ends with the calling thread, so call this from a thread that stays alive.
+    The display ends with the calling thread, so call find_display from a thread that stays alive.
 
     Raises OSError if the program Xvfb is missing, or does not start.
     """

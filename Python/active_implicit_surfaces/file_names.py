@@ -32,7 +32,7 @@ _ROUNDING = 1e-12  # of an index's largest time: tolerance of equal times
 
 
 class Listing(NamedTuple):
-    """Files (parts) of each frame; times of an index, and a note on its repeated entries."""
+    """Files (parts) of each frame; times of an index; a note on repeated entries."""
 
     frames: list[tuple[Path, ...]]
     times: list[float] | None = None
@@ -45,7 +45,7 @@ class Listing(NamedTuple):
 
 
 def natural_key(name: str | Path, numbers: re.Pattern[str] | None = None) -> list[Any]:
-    """Returns a sort key: signs, digits, decimals and exponents are compared as numbers."""
+    """Returns a sort key that compares numbers, with sign, decimals and exponent, by value."""
     parts = (numbers or _numbers_in([str(name)])).split(str(name))
     return [_value(part) if i % 2 else part for i, part in enumerate(parts)]
 
@@ -57,8 +57,9 @@ def _value(text: str) -> float:
 def _numbers_in(names: list[str]) -> re.Pattern[str]:
     """Finds the numbers in the names of a series.
 
-    A minus after a letter is a sign if another name has a digit there (t-1, t0), else a hyphen
-    (run-1, run-2). A dot separates two counters if the parts are no decimals (1.9, 1.10).
+    A minus after a letter is a sign if another name has a digit at its place (t-1, t0), else a
+    hyphen (run-1, run-2). A dot separates two counters if the numbers cannot be decimals (1.9,
+    1.10).
     """
     start = len(os.path.commonprefix(names))
     after = {name[start : start + 1] for name in names}
@@ -106,7 +107,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Describes names that have all pairs of two numbers, of which one may be a part number."""
+    """Describes names with all pairs of two numbers, one of which may be a part number."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -147,7 +148,7 @@ def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
 
 
 def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
-    """Returns the files of the one series in a folder; raises OSError for none or several."""
+    """Returns the files of the only series in a folder; raises OSError for no series or several."""
     found = [path for path in folder.iterdir() if path.is_file() and suffix_of(path) in known]
     found = [path for path in found if not path.name.startswith(".")]
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
@@ -208,7 +209,7 @@ def read_index(index: Path) -> Listing:
 
 
 def _beside(index: Path, name: str) -> Path:
-    """Returns the path of a file in an index; folder separators may be those of Windows."""
+    """Returns the path of a file that an index lists, with folder separators of Unix or Windows."""
     path = index.parent / name
     return path if path.exists() else index.parent / name.replace("\\", "/")
 
@@ -339,9 +340,9 @@ def make_folder_of(path: Path) -> None:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Yields a temporary name to write to; on success the file is renamed to `path`.
+    """Yields a temporary name to write to; without an exception the file is renamed to `path`.
 
-    Raises OSError if the file cannot be written there.
+    Raises OSError if the file cannot be written.
     """
     temporary = path.with_name(f".{os.getpid()}.{path.name}")
     try:

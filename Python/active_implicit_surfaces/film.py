@@ -42,9 +42,9 @@ class Film(Sink):
 
     - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
     - times (list of float): times of the pictures [time].
-    - numbers (list of int): frame numbers for the names of the pictures; not used for a single
-      picture.
-    - fps (float, optional): frames per second [1/time]. Default: the film is as long as the series.
+    - numbers (list of int): frame numbers in the names of several pictures.
+    - fps (float, optional): frames per second [1/time]. Default: the film lasts as long as the
+      series.
     """
 
     def __init__(

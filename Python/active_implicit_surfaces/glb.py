@@ -42,9 +42,9 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
 
     Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
     floats; if scalars and vectors occur together, vectors become _NAME_X, _NAME_Y, _NAME_Z.
-    Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up
-    in glTF. If single precision is too coarse, the vertices are relative to an origin, and the
-    node translates by this origin.
+    Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
+    glTF. If single precision is too coarse, vertices are relative to an origin, which is the node's
+    translation.
     """
     origin = origin_for_floats(mesh)
     warn_of_rounding(".glb", mesh, origin)
@@ -177,8 +177,8 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
     """Raises OSError unless the accessors of a .glb lie within its bytes, which VTK does not check.
 
-    Returns True if this package has written the file, so that its vertices have the data's
-    coordinates; True if the file has meshes; and the origin of its vertices, None for 0.
+    Returns a flag for files of this package, whose vertices have the data's coordinates; a flag for
+    files with meshes; and the origin of the vertices, None for 0.
     """
     try:
         with path.open("rb") as file:

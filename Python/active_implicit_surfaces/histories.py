@@ -64,12 +64,12 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     Parameters
     ----------
     surface : vtkActiveImplicitSurface, frames, morph or LiveSurface
-        A filter, or an object with one, that has been updated.
+        A filter that has been updated, or an object that contains such a filter.
     columns : sequence of str
         Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
         EulerCharacteristic, Outside. Default: Volume, Area, Components.
     axes : matplotlib axes, optional
-        One for each column. Default: a new figure of matplotlib.
+        Axes for each column. Default: a new figure of matplotlib.
 
     Returns
     -------

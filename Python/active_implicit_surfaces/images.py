@@ -1,5 +1,7 @@
-"""Reads medical images by VTK's readers, and corrects three of their errors: they accept a .mha or
-.nrrd whose end is missing, read the first of three .nrrd axes as components, ignore .nii origins.
+"""Reads medical images by VTK's readers, and corrects three errors of the readers.
+
+VTK accepts a .mha or .nrrd whose end is missing, reads the first of three .nrrd axes as components,
+and ignores the origin of a .nii.
 """
 
 from __future__ import annotations
@@ -48,7 +50,7 @@ def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
 
 
 def _check_size(reader: Any, size: int) -> None:
-    """Raises ValueError if there are fewer bytes than the header says."""
+    """Raises ValueError if the file has fewer bytes than its header requires."""
     with quiet() as said:
         reader.UpdateInformation()
     if said.errors:
@@ -133,7 +135,7 @@ def _read_nrrd(
 
 
 def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
-    """Places an image; `axes` are rows. Rotations other than by right angles are a warning.
+    """Sets the origin of an image, whose axes are rows of `axes`; warns if the image is oblique.
 
     Values are reordered if axes are mirrored or permuted.
     """

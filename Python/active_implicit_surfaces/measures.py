@@ -22,8 +22,8 @@ from .mesh_writers import polygons_of
 def measure(mesh: Any) -> dict[str, Any]:
     """Measures a vtkPolyData; coincident points are merged.
 
-    Returns dict: area [length^2]; volume [length^3], negative where polygons look inward; pieces
-    and voids, the connected surfaces of positive and of negative volume; open edges.
+    Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; pieces, the
+    number of connected surfaces of positive volume; voids, of negative volume; open edges.
     """
     places, numbers = numpy.unique(points_of(mesh), axis=0, return_inverse=True)
     places, fans = places.astype(float), [numpy.zeros((0, 3), int)]

@@ -62,7 +62,7 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
 
 
 def warn_of_losses(suffix: str, data: Any) -> None:
-    """Warns of data that a format cannot hold, and names formats that can."""
+    """Warns of data that a format cannot store, and names formats that can store the data."""
     found = [(role, name) for role, name, _ in _point_arrays(data)]
     found += [("cells", f"{name} (of cells)") for name in array_names(data.GetCellData())]
     if data.IsA("vtkPolyData") and data.GetNumberOfLines():
@@ -78,8 +78,9 @@ def warn_of_losses(suffix: str, data: Any) -> None:
 
 
 def origin_for_floats(mesh: Any) -> Any:
-    """Returns an origin (of single precision) near a mesh whose coordinates are too large for
-    single precision; 0 for other meshes.
+    """Returns an origin near a mesh if coordinates are too large for single precision; else 0.
+
+    The origin itself is exact in single precision.
     """
     points = points_of(mesh)
     if _rounding(points) <= _ROUNDING * edge_of(mesh):
@@ -99,7 +100,7 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
 
 
 def warn_of_coarse(path: Path, mesh: Any) -> None:
-    """Warns if a mesh from a file has points of single precision, too coarse for its edges."""
+    """Warns if a file's points, in single precision, are too coarse for the edges of its mesh."""
     points = points_of(mesh)
     if points.dtype.itemsize > 4 or len(points) == 0:
         return
@@ -226,7 +227,7 @@ def _components(name: str, count: int) -> list[str]:
 
 
 def _ply_kind(values: Any) -> str:
-    """Returns the .ply type that holds these numbers exactly, if there is one."""
+    """Returns the .ply type that stores these numbers exactly, if such a type exists."""
     if values.dtype.kind == "f":
         return "f4" if values.dtype.itemsize <= 4 else "f8"
     if values.dtype == "u1":

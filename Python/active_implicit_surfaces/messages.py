@@ -1,4 +1,4 @@
-"""Turns messages of VTK's objects into exceptions and warnings of Python."""
+"""Converts messages of VTK's objects to exceptions and warnings of Python."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Messages:
         self.warnings: list[str] = []
 
     def raise_error(self, kind: type[Exception]) -> None:
-        """Raises the first error, if there was one."""
+        """Raises the first error, if any."""
         if self.errors:
             raise kind(self.errors[0])
 
@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 
 @contextmanager
 def listening(*algorithms: Any) -> Iterator[Messages]:
-    """Collects the errors and warnings of algorithms, which then are not printed."""
+    """Collects the errors and warnings of algorithms instead of printing them."""
     heard, observers = Messages(), []
     for algorithm in algorithms:
         for event, said in (("ErrorEvent", heard.errors), ("WarningEvent", heard.warnings)):
@@ -53,7 +53,7 @@ def listening(*algorithms: Any) -> Iterator[Messages]:
 
 
 class quiet:
-    """Collects what VTK's readers, parsers and writers would print."""
+    """Collects messages of VTK's readers, parsers and writers instead of printing them."""
 
     def __enter__(self) -> quiet:
         self._shown = vtkOutputWindow.GetInstance()

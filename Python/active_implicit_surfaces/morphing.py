@@ -58,7 +58,8 @@ class morph(Skins):
     Warns
     -----
     UserWarning
-        The shapes differ in size by more than half, or are apart by more than half of their size.
+        The shapes' sizes differ by more than half, or their distance is more than half of their
+        size.
     TypeError
         Unknown keyword (the text names the closest one), or a shape of a wrong type.
 
@@ -116,7 +117,7 @@ class morph(Skins):
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
     def make(self, step: int) -> Any:
-        """Makes a skin like Skins; raises ValueError if it is empty before a shape that is not."""
+        """Makes a skin as Skins does; raises ValueError if it is empty but the shape is not."""
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
@@ -155,7 +156,7 @@ def _is_function(shape: Any) -> bool:
 
 
 def _fitted(shape: Any, model: Any, fit: str) -> Any:
-    """Returns the shape, moved and scaled to the model as `morph` says."""
+    """Returns the shape, moved and scaled to the model; see `fit` of `morph`."""
     centre, size = _box(shape)
     to_centre, to_size = _box(model)
     if fit == "none" or size == 0 or to_size == 0:
@@ -172,7 +173,7 @@ def _fitted(shape: Any, model: Any, fit: str) -> Any:
 
 
 def _describe_difference(first: Any, last: Any) -> str:
-    """Returns a warning if two shapes differ much in size or position; else nothing."""
+    """Returns a warning if two shapes differ much in size or position, else an empty result."""
     (centre, size), (to_centre, to_size) = _box(first), _box(last)
     if size == 0 or to_size == 0:
         return ""

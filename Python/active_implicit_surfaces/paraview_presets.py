@@ -23,10 +23,10 @@ _LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 def apply(name: str, surface: Any = None) -> dict[str, Any]:
     """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
 
-    The values appear in the panel, can be changed there, and are saved in state files. They depend
-    on the spacing of the particles at the first time step, which are sent to the client, and on
-    the time between two steps. A Particle Spacing set before is kept. Properties that only other
-    presets set return to their defaults, except lengths set by the user.
+    The values appear in the panel, where the user can change them, and are saved in state files.
+    Values depend on the spacing of the particles at the first time step and on the time between two
+    steps; the particles are sent to the client. A Particle Spacing that was set before stays.
+    Properties that only other presets set return to their defaults, except lengths set by the user.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     Raises
     ------
     ValueError
-        No such preset, or the source is no Active Implicit Surface over particles.
+        There is no such preset, or the source is no Active Implicit Surface over particles.
     """
     from paraview import servermanager, simple
 

@@ -65,8 +65,8 @@ class ParticleFiles:
     Attributes:
     - names (list of Path): file of each frame; the first one of several parts.
     - files (list of Path): all files.
-    - numbers (list of int): frame numbers from the names of the files, if the names differ in them,
-      else 0, 1, 2 ...
+    - numbers (list of int): frame numbers: the numbers in which the files' names differ, else 0, 1,
+      2 ...
     """
 
     def __init__(
@@ -117,8 +117,8 @@ def open_particles(
 ) -> ParticleFiles:
     """Opens files of particles as frames; names may be patterns, folders and indices.
 
-    Particles may be selected (see `choice`). Times are `times`, else those of `fps`, else those of
-    the index or of the files, else 25 frames per second. Gaps in file numbers are gaps in time.
+    Particles may be selected (see `choice`). Times follow from `times`, else from `fps`, else from
+    the index or the files, else from 25 frames per second. Gaps in file numbers are gaps in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
@@ -281,7 +281,7 @@ def _append(clouds: list[Any]) -> Any:
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """Returns the times stored in the files, if all files have one and they increase."""
+    """Returns the times stored in the files, if every file has a time and the times increase."""
     readers = {
         **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
         ".vdb": _time_of_vdb,

@@ -17,7 +17,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     - frames (iterable of vtkDataSet): field data: "Lattice", edges of the box as rows [length];
       optional "Origin", corner of the box [length], and "pbc", a flag for each periodic axis.
 
-    Raises ValueError if there is no box, or the box is slanted, not periodic, or changes.
+    Raises ValueError if there is no box, or if the box is slanted, not periodic, or changes.
     """
     boxes = [_box_of(frame) for frame in frames]
     size = max(abs(number) for number in boxes[0])
@@ -30,7 +30,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
 
 
 def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
-    """Adds the box of a TemporalSource to the options; ValueError if they have one already."""
+    """Adds the box of a TemporalSource to the options; ValueError if these have a box."""
     if "periodic_bounds" in options:
         raise ValueError("Give either periodic or periodic_bounds.")
     return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}

@@ -18,9 +18,9 @@ from .data_objects import finite_points, has_polygons, points_of
 
 PRESETS = {
     "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
-    "molecule": "for atoms: balls that melt together where they touch; radii from the elements",
-    "grains": "for sand and beads that roll and pile: balls that stay balls; radii by --radii",
-    "paper": "to compare with the paper: its own scheme, of kernels, which shows each particle",
+    "molecule": "for atoms: balls that merge where they touch; radii from the elements",
+    "grains": "for sand and beads that roll and pile: separate balls; radii by --radii",
+    "paper": "the scheme of the paper (kernels), for comparison: each particle is visible",
 }
 # The kernel WYVILL, (1 - q^2)^3, has this level at q = 0.7947. With kernels little larger than the
 # atoms, touching atoms merge only near their contact.
@@ -88,14 +88,14 @@ def describe_precision(cloud: Any, spacing: float) -> list[str]:
 
 
 def is_point_cloud(data: Any) -> bool:
-    """Returns True for only points: no lines of a skeleton, no mesh, no image."""
+    """Returns True if the data are points without lines or polygons, and no image."""
     if data.IsA("vtkPolyData"):
         return not has_polygons(data) and data.GetNumberOfLines() == 0
     return bool(data.IsA("vtkPointSet"))
 
 
 def series_spacing(frames: list[Any]) -> float:
-    """Returns the spacing of the densest of some frames; 0 if no frame has enough particles.
+    """Returns the least spacing among the frames; 0 if no frame has enough particles.
 
     Frames with few particles, such as spray before a splash, are ignored if others have many.
     """
@@ -119,7 +119,7 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets sums of short kernels, with radii of the chosen array, "radius", or the spacing."""
+    """Sets sums of short kernels, with radii of an array (chosen, or "radius"), else spacing."""
     first = source.first_frame()
     chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
     radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None

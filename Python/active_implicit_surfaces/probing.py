@@ -29,9 +29,9 @@ class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
     - probe (float): radius of the probe [length], 0 or more.
-    - preset, arrays, options: see `frames`. Used are the array of "radii" (default: "radius") and
-      "voxel_size" (default: a quarter of the root mean square radius of the first frame).
-      "voxel_size" and "attraction" are set in `options`, "pass_target_arrays" is removed.
+    - preset, arrays, options: see `frames`. The class uses the array of "radii" (default: "radius")
+      and "voxel_size" (default: a quarter of the root mean square radius of the first frame). It
+      sets "voxel_size" and "attraction" in `options`, and removes "pass_target_arrays".
 
     Attributes:
     - source (TemporalSource): source of the images.
@@ -82,7 +82,7 @@ class ProbedAtoms:
         )
 
     def add_arrays(self, skin: Any, time: float) -> None:
-        """Adds the arrays of the nearest atom, of the step nearest in time, if requested."""
+        """Adds, if requested, the arrays of the nearest atom in the step nearest in time."""
         if not self._passes:
             return
         times = self._atoms.times

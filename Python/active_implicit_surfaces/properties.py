@@ -49,7 +49,7 @@ class Property:
 
     @property
     def is_automatic(self) -> bool:
-        """Returns True if the filter finds the value by default."""
+        """Returns True if the filter chooses the value by default."""
         return bool(self.kind == "number" and self.default == AUTOMATIC)
 
     @property
@@ -83,7 +83,7 @@ def find(keyword: str) -> Property:
 
 
 def given(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the options without those that leave the choice to the filter."""
+    """Returns the options without options whose value the filter chooses."""
     return {
         keyword: value
         for keyword, value in options.items()

@@ -61,7 +61,7 @@ class ActiveSurfaceAccessor:
         return skin(self._dataset, **options)
 
     def morph_to(self, other: Any, duration: float = 1.0, **options: Any) -> morph:
-        """Returns an iterator over the skins from this closed mesh, or image, to another one.
+        """Returns an iterator over the skins from this closed mesh or image to another shape.
 
         Parameters
         ----------

@@ -16,13 +16,13 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0
                                 where nothing is
 
-Z and P are read from the depth buffer, so they show everything opaque in the renderer. N, forward
-and id show the surfaces of actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper)
-or blocks of data sets, as in ParaView; these surfaces are rendered again, without lights, with
-values in place of colors. Translucent objects, and what other renderers draw on top, are only in
-the picture. Layers are sampled at the pixels' centers; only the picture is antialiased. The picture
-has the 8 bits of the window, and its alpha: 0 on a background whose BackgroundAlpha is 0, and on
-actors that are `apart`. If such a background is black (it is if actors are apart), colors are
+Z and P are read from the depth buffer, so both contain every opaque object of the renderer. N,
+forward and id contain surfaces of actors whose mapper has a data set (vtkPolyDataMapper,
+vtkDataSetMapper) or blocks of data sets, as in ParaView. These surfaces are rendered again, without
+lights, with values in place of colors. Translucent objects, and objects of other renderers on top,
+are only in the picture. Layers are sampled at the pixels' centers; only the picture is antialiased.
+The picture has the window's 8 bits and alpha. Alpha is 0 on a background whose BackgroundAlpha is
+0, and on actors that are `apart`. If such a background is black, as with `apart`, colors are
 premultiplied by alpha, as OpenEXR requires.
 """
 
@@ -159,7 +159,7 @@ def capture(
     far : float
         Z of the background [length]. Default: 1e10.
     apart : dict of vtkActor, optional
-        Actors that have layers of their own and are in no other layer: ``{"ground": actor}`` gives
+        Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives
         ground.R, .G, .B, .A and ground.Z. The background is left out too, even if the dict is
         empty, so that A is the coverage of the other actors. Default: none.
     origin : (float, float, float), optional
@@ -307,7 +307,7 @@ def _matrix(numbers: Any) -> Any:
 
 
 def _projection(renderer: Any, camera: Any) -> Any:
-    """Returns the matrix from the world to the cube [-1, 1]^3."""
+    """Returns the projection matrix from world coordinates to the cube [-1, 1]^3."""
     aspect = renderer.GetTiledAspectRatio()
     return _numbers(camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1))
 

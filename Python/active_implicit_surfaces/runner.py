@@ -79,7 +79,7 @@ class Skins:
         return len(self.times)
 
     def __next__(self) -> Frame:
-        """Returns the next frame of a single pass, which is independent of for loops."""
+        """Returns the next frame; next() has its own position, independent of for loops."""
         if self._loop is None:
             self._loop = iter(self)
         return next(self._loop)

@@ -47,7 +47,7 @@ class Scene:
 
     - held (array (n, 3)): points in view; the ground is below all of them.
     - size ((int, int)): size of the pictures [pixels].
-    - soft (bool): ambient occlusion; has to be off for layers, because it uses the depth buffer.
+    - soft (bool): ambient occlusion, which uses the depth buffer: must be False for layers.
 
     Attributes:
     - apart (dict): actor of the ground, for `apart` of render.capture().
@@ -98,7 +98,7 @@ class Scene:
         return self._inner_part(vtk_to_numpy(taken.GetOutput().GetPointData().GetScalars()))
 
     def _inner_part(self, pixels: Any) -> Any:
-        """Returns the mean of each fineness x fineness pixels, without the border, as an image."""
+        """Returns an image without border, whose pixels are means of fineness x fineness pixels."""
         fineness, (width, height) = self.fineness, self.size
         start = fineness * self.border
         rows = pixels.reshape(-1, fineness * (width + 2 * self.border), 3)
@@ -122,7 +122,7 @@ class Scene:
             self.renderer.AddLight(light)
 
     def _place_camera(self, points: Any, up: int, sign: float) -> None:
-        """Places the camera so near that all points are just within the picture."""
+        """Places the camera at the least distance at which all points are within the picture."""
         to_camera, upward = numpy.array(VIEWS["xyz"[up]]), sign * numpy.eye(3)[up]
         to_camera[up] *= sign
         to_camera = to_camera / numpy.linalg.norm(to_camera)

@@ -87,7 +87,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points, a middle and the last one, if readable now."""
+        """Returns the first frame with points, a middle and the last frame, if readable now."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
@@ -107,7 +107,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return self.frame(self._first)
 
     def part(self, steps: Sequence[int]) -> TemporalSource:
-        """Returns a source of some steps; lengths are still estimated from the whole series."""
+        """Returns a source of some steps; lengths are estimated from the whole series."""
         times = [self.times[step] for step in steps]
         own = TemporalSource(lambda i: self.frame(steps[i]), times, self._output_type)
         own._whole = self

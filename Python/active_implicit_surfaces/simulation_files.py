@@ -88,7 +88,7 @@ def _read_attribute(
 
 
 def read_dump(path: Path) -> Frames:
-    """Opens the frames of a text dump of LAMMPS, each read when it is used."""
+    """Opens the frames of a text dump of LAMMPS; a frame is read when it is used."""
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
         found = [(head.start(), head["time"]) for head in _DUMP.finditer(content)]
         is_binary, end = b"\0" in content[:4096], len(content)
@@ -137,7 +137,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
-    """Returns edges and periodic axes of the box in the form of .xyz files, and its corner."""
+    """Returns edges and periodic axes of the box, as .xyz files do, and the box's corner."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
     if rows.shape == (3, 4):
         edges, origin = rows[:, :3], rows[:, 3]

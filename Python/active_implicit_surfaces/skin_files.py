@@ -71,10 +71,10 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
     Warns of arrays that the format cannot hold.
 
-    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb: the filter's own output, whose grid is
-      written.
-    - port (vtkAlgorithmOutput, optional): output port of the mesh's source, which gives a .vdb its
-      frame number.
+    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb pass the filter's own output: its grid
+      is written.
+    - port (vtkAlgorithmOutput, optional): output port of the mesh's source, from which a .vdb gets
+      its frame number.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up, for a .glb, in which
       y is up. Default: "y".
     - **settings: methods of the writer and their argument: ``SetVoxelSize=0.1``.
@@ -147,7 +147,7 @@ def _surface_in(path: Path) -> Any:
 
 
 def holds_particles(path: Path) -> bool | None:
-    """Returns True if a file holds only points, no mesh and no image; None if it is empty.
+    """Returns True if a file contains only points, False for a mesh or image, None if it is empty.
 
     Raises OSError if the file cannot be read.
     """

@@ -1,9 +1,10 @@
 """Solvent-excluded surface of atoms as an image of distances, exact at the image's points.
 
-A probe, a ball, rolls over the atoms; points that it cannot reach are inside. With radius 0 the
-surface is the van der Waals surface. The probe's centres are outside the accessible balls, of radii
-of atoms plus probe (Lee and Richards, J. Mol. Biol. 55, 1971). The nearest of them to an inner
-point lies on a ball, or on an arc where two balls meet (Connolly, J. Appl. Cryst. 16, 1983).
+A probe, a ball, rolls over the atoms; points that the probe cannot reach are inside. A probe of
+radius 0 gives the van der Waals surface. Possible centres of the probe are outside the accessible
+balls, whose radii are atom plus probe (Lee and Richards, J. Mol. Biol. 55, 1971). The possible
+centre nearest to an inner point lies on a ball, or on an arc where two balls meet (Connolly, J.
+Appl. Cryst. 16, 1983).
 
 >>> from active_implicit_surfaces.solvent import excluded_distance
 >>> image = excluded_distance([[0, 0, 0], [3, 0, 0]], [1.7, 1.7], probe=1.4, voxel=0.25)
@@ -115,8 +116,9 @@ def _image_of(values: Any, voxel: float, origin: Any) -> Any:
 
 
 class _Grid:
-    """Points near atoms. `depth` of a point is that in its deepest accessible ball, `owner` this
-    ball, `exit` the least distance found so far to possible centres of the probe.
+    """Points near atoms. `owner` of a point is the accessible ball in which the point is deepest,
+    `depth` the depth in this ball, `exit` the least distance found so far to a possible centre of
+    the probe.
     """
 
     def __init__(self, centers: Any, radii: Any, voxel: float, probe: float) -> None:
@@ -149,7 +151,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets the exit radially out of the owner of a point, if no other ball covers it."""
+        """Sets the exit of a point radially out of its owner, if no other ball covers this exit."""
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]
@@ -169,7 +171,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Updates the exits that are not radial with the arcs of a ball and later ones."""
+        """Updates exits that are not radial with the arcs where a ball meets later balls."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)

@@ -49,7 +49,7 @@ def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
 
 
 def _render_depth(window: Any, renderer: Any) -> Any:
-    """Returns the depth buffer without the renderers drawn after this one, which would clear it.
+    """Returns the depth buffer; hides renderers drawn later, which would clear the buffer.
 
     ParaView's axes and its camera orientation widget have such renderers, visible or not.
     """

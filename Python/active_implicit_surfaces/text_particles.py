@@ -40,7 +40,7 @@ def time_of_csv(path: Path) -> float | None:
 
 
 def _text_of(content: bytes) -> str:
-    """Decodes text as UTF-8, else by its byte order mark, else as Latin-1 (any bytes)."""
+    """Decodes text as UTF-8, else by its byte order mark, else as Latin-1."""
     for encoding in ("utf-8-sig", *(("utf-16",) if content[:2] in _UTF_16 else ()), "latin-1"):
         with contextlib.suppress(UnicodeDecodeError):
             text = content.decode(encoding)
@@ -96,7 +96,7 @@ def _even_array(what: str, values: Any) -> Any:
 
 
 def read_numpy(path: Path) -> Frames:
-    """Reads an array (n, 3) or (frames, n, 3), and with it others, "fps" or "times".
+    """Reads an array (n, 3) or (frames, n, 3), other arrays, and "fps" or "times".
 
     With "counts" (particles of each frame) the rows of all frames are concatenated.
     """

@@ -34,7 +34,7 @@ def check_rate(fps: float) -> float:
 
 
 def places_of(numbers: Sequence[float]) -> list[float]:
-    """Returns positions of frames, in units of the least difference of their numbers."""
+    """Returns frame numbers as positions, in units of the least difference between numbers."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
     return [round((number - numbers[0]) / step, 6) for number in numbers]
 

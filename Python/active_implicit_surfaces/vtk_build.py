@@ -17,7 +17,7 @@ BUILT_FOR = "@built_for@"
 
 
 def is_loaded(library: str) -> bool:
-    """Returns True if the process has loaded a library of this (ELF) name, which is then reused."""
+    """Returns True if a library of this ELF name is loaded, which the loader then reuses."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
         return True  # static VTK, or no such names: only the version is checked
     try:

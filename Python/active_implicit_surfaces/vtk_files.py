@@ -106,7 +106,7 @@ def _reader_of(path: Path) -> Any:
 
 
 def _check_steps(path: Path) -> None:
-    """Raises OSError if a .vtkhdf has time steps, which this VTK would read as one."""
+    """Raises OSError if a .vtkhdf has time steps that this VTK would read as one data set."""
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
         if content.find(b"NSteps") >= 0:
             raise OSError(
@@ -140,14 +140,14 @@ def _check(path: Path, errors: list[str], failed: bool = False) -> None:
 
 
 def _is_empty(path: Path) -> bool:
-    """Returns True if a file of VTK's XML formats has no points, and so no array of them."""
+    """Returns True if a file of VTK's XML formats has no points, and so no point array."""
     with path.open("rb") as file:
         counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
     return bool(counts) and not any(map(int, counts))
 
 
 def _hint(path: Path) -> str:
-    """Returns a hint on Debian 12, whose VTK 9.1 fails at appended data with its libexpat."""
+    """Returns a hint on Debian 12, where VTK 9.1 with its libexpat cannot read appended data."""
     is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
     if not is_old or suffix_of(path) not in (".vtp", ".vtu", ".vti", ".pvtp", ".pvtu"):
         return ""
@@ -214,7 +214,7 @@ def _rows(path: Path) -> Iterator[list[bytes]]:
 def _check_corner(
     path: Path, corner: bytes, whole: tuple[int, ...], so_far: tuple[int, ...]
 ) -> tuple[bool, ...]:
-    """Returns which of vertex, texture and normal the corner has; raises OSError if damaged."""
+    """Returns the parts of a corner (vertex, texture, normal); raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
         raise OSError(f"{path} cannot be read: it is damaged; a polygon has no numbers.")
@@ -232,7 +232,7 @@ def _is_empty_stl(path: Path) -> bool:
 
 
 def _check_stl(path: Path) -> None:
-    """Raises OSError if a binary file has not the triangles of its header: VTK does not check."""
+    """Raises OSError if a binary file's triangles do not match its header; VTK does not check."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")

@@ -74,6 +74,8 @@ def extremes_of(default):
 def documented_bounds(kind, name):
     """Least and largest value according to the comment."""
     comment = " ".join(comment_of(kind, name).split())
+    if ", or -1, automatic:" in comment:
+        return -1.0, math.inf
     told = re.search(r"Range: (\d+) to (\d+)", comment)
     if told:
         return float(told[1]), float(told[2])

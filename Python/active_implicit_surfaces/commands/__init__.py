@@ -18,10 +18,10 @@ from ..messages import ActiveSurfaceWarning
 from .options import Parser, add_help
 
 COMMANDS = {
-    "skin": "skins over particles, a file for each frame, and films of them",
-    "morph": "one shape becomes another",
-    "info": "what is in files: points, bounds, spacing, arrays, times",
-    "convert": "skins, meshes, images and particles from one format to another",
+    "skin": "makes skins over particles: a file for each frame, and a film",
+    "morph": "changes one shape into another",
+    "info": "describes files: points, bounds, spacing, arrays, times",
+    "convert": "converts skins, meshes, images and particles to other formats",
 }
 
 
@@ -48,7 +48,7 @@ def _run(given: list[str]) -> int:
     parser = Parser(
         "active-surface",
         "COMMAND ...",
-        "Living skins over particles, and metamorphosis.\n\ncommands:\n" + listed,
+        "Makes moving surfaces (skins) over particles, and metamorphoses.\n\ncommands:\n" + listed,
         epilog="Run 'active-surface COMMAND --help' for the options of a command.",
     )
     add_help(parser)

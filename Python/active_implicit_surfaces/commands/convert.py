@@ -53,7 +53,7 @@ _MESHES = (*MESH_WRITERS, *USD_SUFFIXES)
 
 
 class _Conversion(NamedTuple):
-    """Loader of a step, numbers of the steps, files read, and writer."""
+    """Loader and writer of a step, frame numbers, and files read."""
 
     load: Callable[[int], Any]
     numbers: list[int]
@@ -134,16 +134,24 @@ def make_parser() -> Parser:
         ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
-    parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### is the number")
     parser.add_argument(
-        "--voxel-size", type=positive, metavar="X", help="for meshes to .vdb (default: size / 64)"
+        "-o", "--output", required=True, metavar="NAME", help="output; #### is the frame number"
     )
     parser.add_argument(
-        "--level", type=float, metavar="X", help="of an image's surface (default: 0, fog: 0.5)"
+        "--voxel-size",
+        type=positive,
+        metavar="X",
+        help="voxel size for meshes to .vdb (default: size / 64)",
+    )
+    parser.add_argument(
+        "--level",
+        type=float,
+        metavar="X",
+        help="value on the surface of an image (default: 0, fog: 0.5)",
     )
     add_choice_options(parser)
     add_up_option(parser, "found", "in a .glb")
-    parser.add_argument("--quiet", action="store_true", help="no progress")
+    parser.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(parser)
     return parser
 

@@ -1,8 +1,8 @@
-"""Rejects options that have no effect in a run, and says where they act.
+"""Rejects options that have no effect in a run; the error names runs in which they act.
 
-A run has facts, such as "render", or "particle_model=sum" for each choice and switch of its filter.
-An option acts if the run has at least one fact of each of the option's rows. Rows are in the tables
-below, or follow from the properties' groups and documentation.
+A run has facts: words such as "render", and "particle_model=sum" and the like for each choice
+and switch of the filter. An option has rows of facts, from the tables below or from the groups
+and comments of properties. The option acts if the run has at least one fact of each row.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def check_effects(
     facts: Iterable[str],
     surface: Any = None,
 ) -> None:
-    """Ends the program if an option has no effect; only warns if it acts on a series of frames.
+    """Ends the program if an option has no effect; warns if it acts only on a series.
 
     Without a surface the properties are read from the options.
     """

@@ -69,8 +69,8 @@ def make_parser() -> Parser:
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_choice_options(parser)
-    parser.add_argument("--json", action="store_true", help="as JSON")
-    parser.add_argument("--csv", action="store_true", help="measures of each mesh as a table")
+    parser.add_argument("--json", action="store_true", help="print as JSON")
+    parser.add_argument("--csv", action="store_true", help="print measures of each mesh as a table")
     add_help(parser)
     return parser
 
@@ -78,7 +78,7 @@ def make_parser() -> Parser:
 def describe(
     names: list[str], where: Sequence[str] = (), label: int | None = None
 ) -> dict[str, Any]:
-    """Returns the content of files, or the chosen part of it, as a dictionary for JSON."""
+    """Returns the content of files, or of the selected part, as a dictionary for JSON."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -269,7 +269,7 @@ def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
 
 
 def _digits_of(values: Any) -> int:
-    """Returns significant digits: 6, or more for numbers that differ little, as on a map."""
+    """Returns the significant digits: 6, or more for values that differ little, as on a map."""
     if not isinstance(values, list) or not all(isinstance(value, float) for value in values):
         return 6
     ends = values[: len(values) // 2 * 2]

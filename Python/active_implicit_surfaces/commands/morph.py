@@ -60,24 +60,28 @@ def make_parser() -> Parser:
     parser = Parser(
         "active-surface morph",
         "FIRST LAST [-o morph_####.vtp] [--render film.mp4] [options]",
-        "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
-        "the end of the duration. Parts of only one of the shapes grow or shrink.\n"
+        "One shape becomes another at the end of the duration: the surface moves along its\n"
+        "normal, splits and merges. Parts of only one of the shapes grow or shrink.\n"
         + wrapped(f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}."),
-        epilog="Every property of the filter is an option too, as --number-of-threads 1:\n"
-        "--help-properties.",
+        epilog="Every property of the filter is an option, such as --number-of-threads 1;\n"
+        "list them by --help-properties.",
     )
     parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
     parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)
     add_output_options(parser, _DEFAULT)
     parser.add_argument(
-        "--duration", type=positive, default=1.0, metavar="X", help="time of motion (default: 1)"
+        "--duration",
+        type=positive,
+        default=1.0,
+        metavar="X",
+        help="time at which LAST is reached (default: 1)",
     )
     parser.add_argument(
         "--frames",
         type=int,
         default=25,
         metavar="N",
-        help="number of skins, both ends included (default: 25)",
+        help="number of skins, including the first and last (default: 25)",
     )
     parser.add_argument(
         "--fit",
@@ -85,13 +89,13 @@ def make_parser() -> Parser:
         nargs="?",
         const="box",
         default="none",
-        help="move LAST to FIRST: centre, or box to scale it too (default: none)",
+        help="move LAST to FIRST: centre, or box, which also scales (default: none)",
     )
     add_choice_options(parser)
     add_property_options(parser, ("voxel_size", "tension"))
     add_picture_options(parser, "y")
     more = parser.add_argument_group("more")
-    more.add_argument("--quiet", action="store_true", help="no progress")
+    more.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(more, properties=True)
     return parser
 

@@ -15,10 +15,10 @@ WIDTH = 100
 PICTURE_SIZE = (1280, 720)
 # Properties that --help lists, because most users want to set them.
 MAIN_PROPERTIES = {
-    "particle_spacing": "distance of neighbouring particles (default: estimated)",
-    "voxel_size": "resolution (default: found)",
-    "tension": "smooths the skin [length^2/time]",
-    "attraction": "how fast the skin closes in [1/time] (default: found)",
+    "particle_spacing": "distance between neighbouring particles (default: estimated)",
+    "voxel_size": "resolution [length] (default: automatic)",
+    "tension": "weight of smoothing by curvature [length^2/time]",
+    "attraction": "rate of approach to the target [1/time] (default: automatic)",
 }
 
 
@@ -68,7 +68,7 @@ class _HelpProperties(argparse.Action):
 
 
 def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
-    """Adds an option for each property of the filter; --help lists those of `shown`."""
+    """Adds an option for each property of the filter; --help lists only those in `shown`."""
     every = {own.keyword: own for own in properties.every() if own.kind != "object"}
     for keyword in dict.fromkeys([*shown, *every]):
         own = every[keyword]
@@ -96,7 +96,7 @@ def _number(own: properties.Property) -> Callable[[str], float]:
 
 def add_help(group: Any, properties: bool = False) -> None:
     """Adds --help, and --help-properties if `properties` is true."""
-    group.add_argument("-h", "--help", action="help", help="print this")
+    group.add_argument("-h", "--help", action="help", help="print this help")
     if properties:
         group.add_argument(
             "--help-properties", nargs=0, action=_HelpProperties, help=argparse.SUPPRESS
@@ -159,9 +159,12 @@ def add_choice_options(group: Any) -> None:
         "--where",
         action="append",
         metavar="COND",
-        help="use only what meets COND: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
+        help="select data that meet COND: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
     )
-    for option, told in (("--label", "labels, or all: one output for each"), ("--labels", None)):
+    for option, told in (
+        ("--label", "labels to select, or all; each label has its own output"),
+        ("--labels", None),
+    ):
         text = told or argparse.SUPPRESS
         group.add_argument(option, dest="labels", type=label_list, metavar="N,N...", help=text)
 
@@ -173,9 +176,9 @@ def add_picture_options(parser: Parser, up: str) -> None:
         "--size",
         type=picture_size,
         metavar="WxH",
-        help="in pixels (default: {}x{})".format(*PICTURE_SIZE),
+        help="size of pictures in pixels (default: {}x{})".format(*PICTURE_SIZE),
     )
-    pictures.add_argument("--no-ground", action="store_true", help="without a ground")
+    pictures.add_argument("--no-ground", action="store_true", help="draw no ground below the skin")
     add_up_option(pictures, up, "of pictures and .glb")
 
 
@@ -185,7 +188,7 @@ def add_up_option(group: Any, default: str, where: str) -> None:
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
         metavar="AXIS",
-        help=f"up {where}: x, y, z, or --up=-y (default: {default})",
+        help=f"up axis {where}: x, y, z, or --up=-y (default: {default})",
     )
 
 
@@ -222,7 +225,7 @@ def label_list(text: str) -> list[int] | str:
 
 
 def frame_range(text: str) -> tuple[int | None, int | None, int]:
-    """Parses FIRST:LAST or FIRST:LAST:STEP; the first and the last may be left out."""
+    """Parses FIRST:LAST or FIRST:LAST:STEP; FIRST and LAST may be omitted."""
     first, last, step = [*text.split(":"), "", ""][:3]
     try:
         found = int(first) if first else None, int(last) if last else None, int(step or 1)

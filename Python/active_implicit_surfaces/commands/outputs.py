@@ -1,4 +1,4 @@
-"""Outputs of the commands skin and morph: skins with their index, films."""
+"""Outputs of the commands skin and morph: skins, their index, and films."""
 
 from __future__ import annotations
 
@@ -30,20 +30,20 @@ def add_output_options(parser: Parser, default: str) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help=f"skins, #### is the number: {', '.join(SKIN_SUFFIXES)}; or all "
-        f"in one .usdc, .usda (default: {default}, and none with only --render)",
+        help=f"files of skins, #### is the frame number: {', '.join(SKIN_SUFFIXES)}; or all "
+        f"frames in one .usdc, .usda (default: {default}; none if only --render is given)",
     )
     parser.add_argument(
         "--render",
         metavar="FILM",
-        help="film.mp4, film.ogv, frame.####.png or frame.####.exr",
+        help="pictures: film.mp4, film.ogv, frame.####.png or frame.####.exr",
     )
 
 
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields the options of one run per label, with output names of its own; or of a single run.
+    """Yields the options of a run per label, with separate output names; without labels of one run.
 
     `find` returns all labels, `default` is the name of outputs.
     """
@@ -111,7 +111,7 @@ class Outputs:
             make_folder_of(Path(name))
 
     def sinks(self, way: Skins, find_view: Callable[[], tuple[Any, str]], color: str) -> list[Sink]:
-        """Returns the sinks of a run over `way`; a view is the points in view and the up axis."""
+        """Returns the sinks of a run; `find_view` returns the points in view and the up axis."""
         view, found = cache(find_view), list[Sink]()
 
         def up() -> str:

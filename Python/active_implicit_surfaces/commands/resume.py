@@ -1,4 +1,4 @@
-"""Resumes an interrupted run from the filter's state, saved next to the skins with its options."""
+"""Resumes an interrupted run from the filter's state and options, saved next to the skins."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _SECONDS_BETWEEN_STATES = 20.0
 
 
 class Resumption(Sink):
-    """Saved state of the last finished frame; a sink once it is bound to a run.
+    """Saved state of the last finished frame; after bind() it is a sink of a run.
 
     - output (Path): name of the series of skins; the state is in hidden files of the same folder.
     - description (dict): options that the skins depend on; a run with other options cannot be
@@ -24,8 +24,8 @@ class Resumption(Sink):
     - files (list of Path): last file read for each frame. Files of finished frames may not change.
 
     Attributes:
-    - view (list or None): points in view and up axis of pictures, saved so that the camera stays
-      when frames arrive.
+    - view (list or None): points in view and up axis of pictures, saved to keep the camera when
+      frames are added.
     """
 
     def __init__(self, output: Path, description: dict[str, Any], files: list[Path]) -> None:
@@ -63,7 +63,7 @@ class Resumption(Sink):
         return done
 
     def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
-        """Saves the state after a frame, unless the last save is recent and `now` is false."""
+        """Saves the state after a frame; if `now` is false, only if the last save is not recent."""
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
         before = self.notes.read_bytes() if self.notes.exists() else None
@@ -87,7 +87,7 @@ class Resumption(Sink):
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
         """Binds the state to a run; returns the first frame to make, 0 unless the state is kept.
 
-        Raises OSError or ValueError as load(), or if the skin of an earlier frame is missing.
+        Raises the errors of load(), and an error if the skin of an earlier frame is missing.
         """
         self._way, self._is_kept = way, is_kept
         if not is_kept:
@@ -143,7 +143,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Name, size and time of the files of the first frames, to detect changes."""
+        """Returns name, size and time of the first frames' files, to detect changes."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()

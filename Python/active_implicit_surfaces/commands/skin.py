@@ -103,7 +103,7 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
 
 
 class _Plan(NamedTuple):
-    """The steps read; times and numbers of the skins, and the last file that each needs."""
+    """Steps to read; times and numbers of the skins; the last file that each skin needs."""
 
     steps: list[int]
     times: list[float]
@@ -146,32 +146,42 @@ def make_parser() -> Parser:
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
-            "Skins over particles or images: one for each frame, each from the one before. Files: "
+            "Skins over particles or images: one for each frame, each from the previous. Files: "
             f"{' '.join(TARGET_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
             "or a .pvd are a series."
         ),
-        epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "
-        "--particle-model sum: --help-properties.",
+        epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option, such as "
+        "--particle-model sum (list: --help-properties).",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_output_options(parser, _DEFAULT)
     parser.add_argument(
-        "--preset", choices=PRESETS, metavar="NAME", help="kind of the particles (see below)"
+        "--preset",
+        choices=PRESETS,
+        metavar="NAME",
+        help="set of properties for a kind of material (see below)",
     )
     parser.add_argument(
-        "--probe", type=float, metavar="X", help="radius of a ball that rolls over atoms (1.4)"
+        "--probe",
+        type=float,
+        metavar="X",
+        help="radius of a probe that rolls over atoms (water: 1.4)",
     )
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
     add_picture_options(parser, "found")
     more = parser.add_argument_group("more")
     more.add_argument("--resume", action="store_true", help="continue an interrupted run")
-    more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
     more.add_argument(
-        "--history", metavar="NAME", help="a .csv of volume, area, pieces, events ..."
+        "--index", metavar="NAME", help="name of the .pvd or .series of the skins, or none"
     )
-    more.add_argument("--plot", metavar="NAME", help="the same as a plot: .png, .svg, .pdf")
-    more.add_argument("--quiet", action="store_true", help="no progress")
+    more.add_argument(
+        "--history", metavar="NAME", help="write a .csv of volume, area, pieces, events ..."
+    )
+    more.add_argument(
+        "--plot", metavar="NAME", help="write a plot of the history: .png, .svg, .pdf"
+    )
+    more.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(more, properties=True)
     return parser
 
@@ -179,27 +189,40 @@ def make_parser() -> Parser:
 def _add_input_options(parser: Parser) -> None:
     files = parser.add_argument_group("of the files")
     files.add_argument(
-        "--fps", type=positive, metavar="X", help="frames per second (default: the files', or 25)"
+        "--fps",
+        type=positive,
+        metavar="X",
+        help="frames per second (default: times in the files, or 25)",
     )
     add_choice_options(files)
-    told = "least count of particles of a piece; or --minimum-volume X"
+    told = "omit clusters of fewer particles; or --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
-    told = "numbers, B included; --preroll N frames before A"
+    told = "first, last, step; --preroll N starts N frames before A"
     files.add_argument("--frames", type=frame_range, metavar="A:B:C", help=told)
     files.add_argument("--preroll", type=whole, help=argparse.SUPPRESS)
-    files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
-    told = "the box in the files is periodic; or --periodic-bounds"
+    files.add_argument(
+        "--output-fps",
+        type=positive,
+        metavar="X",
+        help="skins per unit of time, also between frames",
+    )
+    told = "use the periodic box in the files; or --periodic-bounds"
     files.add_argument("--periodic", action="store_true", default=None, help=told)
-    files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
-    told = "point arrays: ids are found; and --radii (of balls), --strengths, --velocities"
+    files.add_argument(
+        "--times",
+        type=times_list,
+        metavar="T,T...",
+        help="times of the frames, or FIRST:LAST:COUNT",
+    )
+    told = "array of ids (default: found); also --radii, --strengths, --velocities"
     for role in _ARRAYS:
         text = told if role == "ids" else argparse.SUPPRESS
         files.add_argument(f"--{role}", metavar="NAME", help=text)
 
 
 def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
-    """Returns the box in view and the up axis; a resumed run keeps both."""
+    """Returns the points in view and the up axis; a resumed run uses the saved ones."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
     has_balls = options.preset in ("molecule", "grains") or options.probe is not None

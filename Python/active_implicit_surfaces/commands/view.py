@@ -19,11 +19,11 @@ _SAMPLED = 2000  # particles of a frame that are searched for strays
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
     """Returns points around all particles of a series, and the up axis, y or z.
 
-    The points are the extremes of each frame in 26 directions. Strays, such as drops that fly off,
-    are kept in view only as far as the rest does not become small.
+    The points are the extremes of each frame in 26 directions. Strays, such as drops that fly off,@
+    are in view only if the other particles do not become small in the picture.
 
-    The up axis is that of `lie` for the average of the series. For images the up axis is z, and
-    their bounds are in view.
+    The up axis is the result of `lie` for the average of the series. For images the up axis is z,@
+    and the bounds of the images are in view.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
@@ -52,7 +52,7 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
 
 
 def lie(low: Any, high: Any, mean: Any) -> str:
-    """Returns the axis, y or z, along which particles lie low in their box, or flat; else z."""
+    """Returns the axis, y or z, along which particles lie low or flat in their box; else z."""
     sides = high - low
     place = (mean - low) / numpy.maximum(sides, 1e-300)
     if abs(place[1] - place[2]) >= _LOWER:
@@ -61,7 +61,7 @@ def lie(low: Any, high: Any, mean: Any) -> str:
 
 
 def _without_strays(outermost: Any, sampled: Any) -> Any:
-    """Returns the outermost points; few and distant ones are moved towards the others."""
+    """Returns the outermost points; a few distant points are moved towards the other points."""
     low, high = numpy.quantile(sampled, [_STRAYS, 1.0 - _STRAYS], axis=0)
     room = _ROOM * float((high - low).max())
     return numpy.clip(outermost, low - room, high + room)
