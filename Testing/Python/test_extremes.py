@@ -296,7 +296,7 @@ class Together(Case):
 
     def test_bounds(self):
         for size in (0, 1e-320, 1e-300, 1e-31, 1e31, 1e300):
-            for voxel in (0, VOXEL):
+            for voxel in (-1, VOXEL):
                 self.assert_survives(
                     ball_to_ball,
                     ("ModelBounds", "of size", size, "voxels", voxel),

@@ -66,7 +66,7 @@ class TestEveryProperty(unittest.TestCase):
             listener = Listener(function)
             for given in ((None, values), (points, None), (pairs, values)):
                 function.EvaluateFunction(*given)
-                self.assertIn("an array of points, of three components", listener.errors.pop())
+                self.assertIn("needs an input array of 3 components", listener.errors.pop())
 
     def test_numbers_of_lists_that_do_not_exist_have_nothing(self):
         reader = vtkActiveEXRReader()

@@ -218,7 +218,7 @@ class Writers(CommandTest):
         numpy.testing.assert_array_equal(
             read_ply(self.folder / "a.ply")[0]["Velocity_y"], speeds[:, 1]
         )
-        with self.assertWarnsRegex(ActiveSurfaceWarning, "more: Velocity, temperature;"):
+        with self.assertWarnsRegex(ActiveSurfaceWarning, "hold Velocity, temperature,"):
             skin_files.write_particles(self.folder / "b.xyz", cloud)
 
     def test_a_mesh_without_points_is_written(self):

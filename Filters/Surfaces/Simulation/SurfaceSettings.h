@@ -30,11 +30,11 @@ enum class EvolutionMode
   Equilibrium // moves to the steady state of the only step
 };
 
-// Automatic: the node scheme over particles, unless a setting needs substeps.
+// NodesIfPossible: the node scheme over particles, unless a setting needs substeps.
 enum class IntegrationChoice
 {
   Explicit,
-  Automatic
+  NodesIfPossible
 };
 
 struct ParticleSettings
@@ -102,7 +102,7 @@ struct SurfaceSettings
   SteadyStateCriterion SteadyState;
   double TimeScale = 1.0;   // motion time per pipeline time
   double Noise = Automatic; // of the target [length]
-  IntegrationChoice Integration = IntegrationChoice::Automatic;
+  IntegrationChoice Integration = IntegrationChoice::NodesIfPossible;
   double ArrivalTime = 0.0; // pipeline time after the first step; 0: no arrival
 
   double IsoValue = 0.0;

@@ -184,14 +184,15 @@ TEST(TestEXRErrors, FoldersThatCannotBeWrittenAreTold)
   writer->SetFileName((folder / "absent" / "a.exr").c_str());
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "No such file", "a missing folder");
   writer->SetFileName((folder / "taken.exr").c_str());
-  CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "no file", "a folder in its place");
+  CheckWriteRefused(
+    writer, vtkErrorCode::CannotOpenFileError, "folder or a device", "a folder in its place");
   writer->SetFileName("/proc/a.exr"); // not writable even for root
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "a.exr", "an unwritable one");
   // A pipe stands for devices, which a failing test would delete.
   const path pipe = folder / "pipe.exr";
   EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0) << "a pipe is made";
   writer->SetFileName(pipe.c_str());
-  CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "no file", "a pipe");
+  CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "folder or a device", "a pipe");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe)) << "the pipe is as it was";
   EXPECT_EQ(CountFiles(folder), 2u) << "nothing else is left";
 }
