@@ -25,6 +25,7 @@ from .times import times_between
 
 # Indices of SetInputArrayToProcess, and the keywords that choose such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
+_POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
 _MANY = 100  # particles; with fewer the neighbours' distance is not meaningful
 _FAR = 1.5  # factor up or down beyond which a length is unsuitable
 _SAME = 1.01
@@ -318,39 +319,36 @@ def configure(
     **options: Any,
 ) -> None:
     """Sets arrays and properties of a filter over a source of particles."""
-    for keyword in options:
-        properties.find(keyword)
+    options = properties.given(options)
     chosen = dict(arrays or {})
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
         raise TypeError(f"arrays are chosen for {', '.join(_ARRAYS)}, not for {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
-    told = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
+    frames = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
     if preset is not None and first.IsA("vtkImageData"):
         raise ValueError(f"The preset {preset} needs particles, not an image; leave preset out.")
     if "ids" not in chosen:
-        found = {usual_ids(frame) for frame in told if frame.GetNumberOfPoints()}
-        found = found or {usual_ids(first)}
+        filled = [frame for frame in frames if frame.GetNumberOfPoints()]
+        found = {usual_ids(frame) for frame in filled or [first]}
         chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": some frames lack them
     for role, name in chosen.items():
         if name:
-            points = vtkDataObject.FIELD_ASSOCIATION_POINTS
-            surface.SetInputArrayToProcess(_ARRAYS[role], 0, 0, points, name)
+            surface.SetInputArrayToProcess(_ARRAYS[role], 0, 0, _POINTS, name)
     if preset is not None:
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
     if is_point_cloud(first):
         is_given = bool({"particle_spacing", "kernel_radius"} & set(options))
-        _settle_spacing(surface, source, told, is_given, "radii" in chosen)
+        _settle_spacing(surface, source, frames, is_given, "radii" in chosen)
 
 
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
     """Sets the estimated spacing if none is given; warns if a given spacing does not fit."""
-    own = series_spacing(frames)
-    spacing = surface.GetParticleSpacing()
+    own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
         first = estimate_spacing(frames[0])
@@ -386,10 +384,9 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
     for role, name in chosen.items():
         if name and name not in names:
             there = ", ".join(map(repr, filter(None, names)))
-            raise ValueError(
-                f"The particles have no point array {name!r}, chosen for {role}; "
-                + (f"there are {there}." if there else "they have none.")
-            )
+            others = f"there are {there}." if there else "they have none."
+            text = f"The particles have no point array {name!r}, chosen for {role}; "
+            raise ValueError(text + others)
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:

@@ -142,6 +142,9 @@ class Properties(unittest.TestCase):
                 with self.subTest(keyword, value=value):
                     self.assertEqual(bytes_of(active.skin(grid(), **{keyword: value})), plain)
         self.assertNotEqual(bytes_of(active.skin(grid(), tension=0)), plain)
+        viscous = bytes_of(active.skin(grid(), preset="viscous"))
+        same = active.skin(grid(), preset="viscous", attraction=-1, particle_spacing="automatic")
+        self.assertEqual(bytes_of(same), viscous)
 
     def test_values_out_of_range(self):
         for keyword, value, words in (
