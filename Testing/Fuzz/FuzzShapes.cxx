@@ -4,7 +4,6 @@
 #include "FuzzData.h"
 
 #include "Simulation/TargetBuilder.h"
-#include "Targets/InputKinds.h"
 #include "Targets/InputShape.h"
 
 #include <stdexcept>

@@ -86,7 +86,7 @@ class Accessor(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "did you mean 'particle_spacing'"):
             cloud.active_surface.skin(particle_spcing=1)
         with self.assertRaisesRegex(ValueError, "VoxelSize|voxel_size"):
-            cloud.active_surface.skin(voxel_size=-1)
+            cloud.active_surface.skin(voxel_size=-2)
         with self.assertRaisesRegex(TypeError, "no set of particles"):
             pyvista.ImageData(dimensions=(3, 3, 3)).active_surface.skin()
         with self.assertRaisesRegex(ValueError, "duration"):

@@ -4,7 +4,8 @@
 #include "Input/AttachedData.h"
 #include "Input/WholeInput.h"
 #include "Targets/ContentSum.h"
-#include "Targets/InputKinds.h"
+#include "Targets/InputData.h"
+#include "Targets/InputShape.h"
 #include "Targets/OwnedParticles.h"
 #include "Targets/ParticleShape.h"
 
@@ -34,6 +35,11 @@ namespace activesurface
 
 namespace
 {
+
+// VTK classes that both input ports accept, and further classes that port 0 accepts. AsDataSet
+// converts trees and tables to a data set.
+constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData", "vtkDataObjectTree" };
+constexpr const char* MoreTargetTypes[] = { "vtkTable" };
 
 enum ArrayIndices
 {

@@ -9,7 +9,7 @@
 #ifndef UserMessages_h
 #define UserMessages_h
 
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include "vtkType.h"
 

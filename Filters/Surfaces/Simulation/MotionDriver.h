@@ -9,7 +9,7 @@
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include <cstddef>
 #include <memory>

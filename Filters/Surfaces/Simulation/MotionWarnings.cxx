@@ -1,6 +1,6 @@
 #include "Simulation/MotionWarnings.h"
 
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include <iomanip>
 #include <sstream>

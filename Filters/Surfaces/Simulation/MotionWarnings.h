@@ -6,7 +6,7 @@
 #include "Base/Motion.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Times.h"
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include <limits>
 

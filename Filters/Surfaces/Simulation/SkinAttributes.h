@@ -6,7 +6,7 @@
 #include "Simulation/ArrayFrames.h"
 #include "Simulation/PassedArrays.h"
 #include "Simulation/TargetBuilder.h"
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include <vector>
 

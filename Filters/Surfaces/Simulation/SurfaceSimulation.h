@@ -26,7 +26,7 @@
 #include "Simulation/TargetBuilder.h"
 #include "Simulation/TargetCoverage.h"
 #include "Simulation/Trajectory.h"
-#include "Simulation/Warnings.h"
+#include "Targets/Warnings.h"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #include "NarrowBand.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
-#include "Simulation/Warnings.h"
 #include "Targets/PotentialTarget.h"
+#include "Targets/Warnings.h"
 
 namespace activesurface
 {

@@ -81,7 +81,7 @@ void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier
 // Adds a node to the margin of the node scheme, because positions between two steps are rounded.
 int TargetBuilder::FindMarginOfRanks()
 {
-  const double reach = this->GetPreparation().GetRadius(this->Settings.Particles.Model);
+  const double reach = this->GetOptions().GetRadius(this->Settings.Particles.Model);
   return 1 +
     FindMarginOfNodes(
       ParticleTarget::GetNodeOptions(this->GetOptions(), this->Domain.VoxelSize), reach);
@@ -126,61 +126,66 @@ std::string TargetBuilder::DescribeStep(int step) const
   return text.str();
 }
 
-ShapeOptions TargetBuilder::GetOptions() const
+TargetOptions TargetBuilder::GetOptions() const
 {
   const SurfaceSettings& settings = this->Settings;
-  ShapeOptions options;
+  TargetOptions options;
+  options.IsoValue = settings.IsoValue;
+  options.Invert = settings.Invert;
+  options.Normalize = settings.Normalize;
+  options.Noise = std::max(settings.Noise, 0.0);
+  options.NoiseAtNodes = this->GetNoiseAtNodes();
   options.Model = settings.Particles.Model;
-  options.ParticleSpacing = std::max(settings.Particles.Spacing, 0.0);
-  options.SpacingInUse = this->FindSpacing();
+  options.Spacing = this->FindSpacing();
   options.KernelRadius = std::max(settings.Particles.Radius, 0.0);
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
+  options.Kernel = settings.Particles.Kernel;
+  options.Box = this->GetBox();
+  options.MeshThickness = settings.MeshThickness;
+  options.MeshVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
+  options.IsOnNodes = settings.UsesNodes();
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
   options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
     (settings.Tension > 0.0 || settings.HasAutomaticTension());
   options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
-  options.Kernel = settings.Particles.Kernel;
-  options.Box = this->GetBox();
-  options.MeshThickness = settings.MeshThickness;
-  options.Level.IsoValue = settings.IsoValue;
-  options.Level.Invert = settings.Invert;
-  options.Level.Normalize = settings.Normalize;
-  options.Level.Noise = std::max(settings.Noise, 0.0);
-  options.IsOnNodes = settings.UsesNodes();
-  options.NoiseAtNodes = this->GetNoiseAtNodes();
+  options.IsDomainKnown = this->DomainKnown;
   if (this->DomainKnown)
   {
-    options.Level.Reach = this->Domain.Reach;
+    options.Reach = this->Domain.Reach;
     options.VoxelSize = this->Domain.VoxelSize;
   }
   return options;
 }
 
-ShapePreparation TargetBuilder::GetPreparation()
+// Returns a message about defects, or an empty string. Throws std::runtime_error if the shape is
+// unusable. Messages begin with `where`.
+std::string TargetBuilder::PrepareShape(
+  InputShape& shape, const TargetOptions& options, const std::string& where) const
 {
-  ShapePreparation preparation(this->GetOptions(), this->EstimatedSpacing);
-  preparation.IsDomainKnown = this->DomainKnown;
-  preparation.MaximumVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
-  preparation.Report = [this](const std::string& reason, const std::string& sentence)
-  { this->Messages.Say(reason, sentence); };
-  preparation.Note = [this](const std::string& reason, const std::string& sentence)
-  { this->Messages.Say(reason, sentence, Warnings::Kind::Note); };
-  return preparation;
+  try
+  {
+    const std::string flaw = shape.Prepare(options, this->Messages);
+    return flaw.empty() ? "" : where + flaw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(where + error.what());
+  }
 }
 
 void TargetBuilder::Prepare(int step, InputShape& shape)
 {
-  ShapePreparation preparation = this->GetPreparation();
-  preparation.When = this->DescribeStep(step);
+  this->EstimateSpacing(shape);
+  TargetOptions options = this->GetOptions();
+  options.When = this->DescribeStep(step);
   // A level of a mesh needs distances on both sides of that level.
-  preparation.Reach = preparation.Options.Level.Reach + std::fabs(this->Settings.IsoValue);
-  preparation.MeshHint =
-    " (Reach is here TargetReach plus the absolute value of TargetIsoValue, and "
-    "the maximum is ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshReach = options.Reach + std::fabs(this->Settings.IsoValue);
+  options.MeshHint = " (Reach is here TargetReach plus the absolute value of TargetIsoValue, and "
+                     "the maximum is ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
-    std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
-  this->Report("flaw of the target", PrepareShape(shape, preparation, where));
+    std::string("The target, ") + shape.GetName() + ", " + options.When + ": ";
+  this->Report("flaw of the target", this->PrepareShape(shape, options, where));
   if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
   {
     this->Messages.Say(
@@ -203,11 +208,11 @@ void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& 
 
 void TargetBuilder::PrepareInitial()
 {
-  ShapePreparation preparation = this->GetPreparation();
-  preparation.Reach = InitialReach * this->Domain.VoxelSize;
-  preparation.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
+  TargetOptions options = this->GetOptions();
+  options.MeshReach = InitialReach * this->Domain.VoxelSize;
+  options.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
-    PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: "));
+    this->PrepareShape(*this->Initial, options, "The input of port 1, Initial: "));
 }
 
 void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
@@ -315,9 +320,8 @@ void TargetBuilder::UseFramesFrom(int step)
 
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
 {
-  const ShapeOptions options = this->GetOptions();
-  return std::make_unique<ImplicitTarget>(this->Settings.Inputs.TargetFunction,
-    options.GetDifferenceStep(), options.Level, this->GetOrigin());
+  return std::make_unique<ImplicitTarget>(
+    this->Settings.Inputs.TargetFunction, this->GetOptions(), this->GetOrigin());
 }
 
 void TargetBuilder::MakeTarget()
@@ -377,10 +381,14 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
     this->PrepareInitial();
     function = this->Initial->GetFunction();
   }
-  return function
-    ? std::make_unique<ImplicitTarget>(function, this->GetOptions().GetDifferenceStep(),
-        TargetOptions(), this->Initial ? std::array<double, 3>{} : this->GetOrigin())
-    : nullptr;
+  if (!function)
+  {
+    return nullptr;
+  }
+  TargetOptions options; // no level
+  options.VoxelSize = this->Domain.VoxelSize;
+  return std::make_unique<ImplicitTarget>(
+    function, options, this->Initial ? std::array<double, 3>{} : this->GetOrigin());
 }
 
 }

@@ -7,10 +7,9 @@
 #include "Frames/ParticleFrame.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
-#include "Simulation/Warnings.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
+#include "Targets/Warnings.h"
 
 #include <cstddef>
 #include <memory>
@@ -176,8 +175,11 @@ private:
   void CheckKind(int step, const InputShape& shape) const;
   KindPointer FindKind(int first, int last) const;
   std::string DescribeStep(int step) const;
-  ShapeOptions GetOptions() const;
-  ShapePreparation GetPreparation();
+  TargetOptions GetOptions() const;
+  std::string PrepareShape(
+    InputShape& shape, const TargetOptions& options, const std::string& where) const;
+  void EstimateSpacing(const InputShape& shape);
+  void ReportSpacing(bool haveRadii) const;
   void Prepare(int step, InputShape& shape);
   void Report(
     const std::string& reason, const std::string& sentence); // if the sentence is not empty

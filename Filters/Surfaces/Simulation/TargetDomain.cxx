@@ -81,7 +81,7 @@ bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& image
   {
     return false;
   }
-  const ShapeOptions options = this->GetOptions();
+  const TargetOptions options = this->GetOptions();
   if (this->Settings.UsesInput())
   {
     this->Frames.Find(0)->AddBounds(options, shapes, images);

@@ -2,7 +2,11 @@
 
 #include "Simulation/TargetBuilder.h"
 
+#include "Frames/ParticleSpacing.h"
+
 #include <algorithm>
+#include <sstream>
+#include <stdexcept>
 
 namespace activesurface
 {
@@ -13,6 +17,28 @@ namespace
 // Least number of particles of a sampled frame, over the largest number: fewer may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
+
+// Returns the typical distance of a frame's particles. With radii: at most the median diameter. If
+// all particles coincide: the median diameter, or 0 without radii.
+double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
+{
+  ParticleFrame wrapped;
+  if (box.Any())
+  {
+    for (SkeletonVertex particle : frame.Particles)
+    {
+      box.Wrap(particle.Position);
+      wrapped.Particles.Add(particle);
+    }
+  }
+  const double spacing = FindSpacing(box.Any() ? wrapped : frame);
+  if (!frame.HasRadii || frame.Particles.empty())
+  {
+    return spacing;
+  }
+  const double diameter = 2.0 * FindMedianRadius(frame) / frame.ReachPerRadius;
+  return spacing > 0.0 ? std::min(spacing, diameter) : diameter; // balls may be far apart
+}
 
 }
 
@@ -47,7 +73,7 @@ TargetBuilder::SpacingSample TargetBuilder::SampleSpacing(
   if (const ParticleFrame* frame = shape.GetParticles())
   {
     sample.Particles = frame->Particles.size();
-    sample.Spacing = ShapePreparation::FindSpacingOf(*frame, box);
+    sample.Spacing = FindSpacingOf(*frame, box);
     sample.HasRadii = frame->HasRadii;
   }
   return sample;
@@ -77,8 +103,51 @@ void TargetBuilder::SettleSpacing(const std::vector<SpacingSample>& samples)
   this->EstimatedSpacing = isSame ? first : densest;
   if (densest > 0.0)
   {
-    this->GetPreparation().ReportSpacing(haveRadii);
+    this->ReportSpacing(haveRadii);
   }
+}
+
+// Estimates the spacing from a frame, if a spacing is needed and unknown.
+void TargetBuilder::EstimateSpacing(const InputShape& shape)
+{
+  const ParticleFrame* frame = shape.GetPoints();
+  if (!frame || frame->CountAllParticles() == 0 || this->FindSpacing() > 0.0)
+  {
+    return;
+  }
+  const double radius = this->Settings.Particles.Radius;
+  const ParticleModel model =
+    shape.GetParticles() ? this->Settings.Particles.Model : ParticleModel::Sum;
+  if (model == ParticleModel::Sum && (frame->HasRadii || radius > 0.0))
+  {
+    return;
+  }
+  this->EstimatedSpacing = FindSpacingOf(*frame, this->GetBox());
+  if (this->EstimatedSpacing == 0.0)
+  {
+    this->EstimatedSpacing = std::max(radius, 0.0) / GetReachPerSpacing(model);
+  }
+  if (this->EstimatedSpacing == 0.0)
+  {
+    throw std::invalid_argument("The particles' spacing cannot be estimated, because all particles "
+                                "are at one point; set ParticleSpacing or KernelRadius, or choose "
+                                "an array of radii.");
+  }
+  this->ReportSpacing(frame->HasRadii);
+}
+
+// Reports the estimated spacing unless radii or KernelRadius are given.
+void TargetBuilder::ReportSpacing(bool haveRadii) const
+{
+  if (haveRadii || this->Settings.Particles.Radius > 0.0)
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << "Neither ParticleSpacing nor KernelRadius is set, so a ParticleSpacing of "
+       << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set "
+       << "ParticleSpacing to silence this message.";
+  this->Messages.Say("spacing", text.str(), Warnings::Kind::Note);
 }
 
 }

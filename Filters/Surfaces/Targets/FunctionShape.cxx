@@ -1,10 +1,10 @@
 #include "Targets/FunctionShape.h"
 
-#include "Targets/ShapeOptions.h"
+#include "Targets/TargetOptions.h"
 
 #include "Input/AttachedData.h"
 #include "Targets/FunctionSampler.h"
-#include "Targets/GridParts.h"
+#include "Targets/GridFunction.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/TargetFrames.h"
 #include "vtkImageData.h"
@@ -29,11 +29,11 @@ class BlendedTarget : public MovingTarget
 {
 public:
   // The caller owns the frames, which must contain the steps that MoveAlong uses; each step that is
-  // not empty must have a function. differences: step of the central differences (FunctionSampler).
+  // not empty must have a function.
   // outside: value of a frame without a function. knowsParts: the parts of the functions are
-  // available (GridParts.h).
-  BlendedTarget(const TargetFrames& frames, double differences, double outside, bool knowsParts,
-    const TargetOptions& options);
+  // available (GridFunction.h).
+  BlendedTarget(
+    const TargetFrames& frames, double outside, bool knowsParts, const TargetOptions& options);
 
   bool IsThreadSafe() const override;
   bool HasRegions() const override { return this->KnowsParts; }
@@ -59,7 +59,6 @@ private:
     double* gradients) const;
 
   const TargetFrames& Frames;
-  const double Differences;
   const double Outside;
   const bool KnowsParts;
   double Blend = 0.0; // weight of the later shape
@@ -75,11 +74,10 @@ void AddWeighted(
   }
 }
 
-BlendedTarget::BlendedTarget(const TargetFrames& frames, double differences, double outside,
-  bool knowsParts, const TargetOptions& options)
+BlendedTarget::BlendedTarget(
+  const TargetFrames& frames, double outside, bool knowsParts, const TargetOptions& options)
   : MovingTarget(options)
   , Frames(frames)
-  , Differences(differences)
   , Outside(outside)
   , KnowsParts(knowsParts)
 {
@@ -108,8 +106,9 @@ void BlendedTarget::Use(int step, Shape& shape) const
   {
     vtkImplicitFunction* function = this->Frames.GetFunction(step);
     shape.Source = function;
-    shape.Function =
-      function ? std::make_unique<FunctionSampler>(function, this->Differences) : nullptr;
+    shape.Function = function
+      ? std::make_unique<FunctionSampler>(function, this->GetOptions().GetDifferenceStep())
+      : nullptr;
     shape.Step = step;
   }
 }
@@ -203,11 +202,10 @@ void FunctionShape::MoveBy(const double offset[3])
   mesh->SetPoints(points);
 }
 
-std::unique_ptr<MovingTarget> FunctionShape::MakeBlend(const TargetFrames& frames,
-  const ShapeOptions& options, double outside, const TargetOptions& level) const
+std::unique_ptr<MovingTarget> FunctionShape::MakeBlend(
+  const TargetFrames& frames, double outside, const TargetOptions& options) const
 {
-  return std::make_unique<BlendedTarget>(
-    frames, options.GetDifferenceStep(), outside, this->KnowsParts(), level);
+  return std::make_unique<BlendedTarget>(frames, outside, this->KnowsParts(), options);
 }
 
 }

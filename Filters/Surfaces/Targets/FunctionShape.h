@@ -34,10 +34,10 @@ protected:
    * Returns a target that interpolates between the functions of the frames. outside: value of an
    * empty frame.
    */
-  std::unique_ptr<MovingTarget> MakeBlend(const TargetFrames& frames, const ShapeOptions& options,
-    double outside, const TargetOptions& level) const;
+  std::unique_ptr<MovingTarget> MakeBlend(
+    const TargetFrames& frames, double outside, const TargetOptions& options) const;
 
-  /** Returns true if the parts of the functions are available (GridParts.h). */
+  /** Returns true if the parts of the functions are available (GridFunction.h). */
   virtual bool KnowsParts() const { return true; }
 
   void MoveBy(const double offset[3]) override;

@@ -1,7 +1,12 @@
-/** Functions for the vtkGridPotential of a mesh or an image. */
+/** Functions for the vtkGridPotential of a mesh or an image, and for its surface and parts. */
+
 #ifndef GridFunction_h
 #define GridFunction_h
 
+#include "Base/InitialFunction.h"
+#include "Base/TargetRegion.h"
+
+#include <array>
 #include <string>
 
 class vtkDataSet;
@@ -10,6 +15,8 @@ class vtkImplicitFunction;
 
 namespace activesurface
 {
+
+struct TargetOptions;
 
 /**
  * Sets the input of a function, and reads this input. The other properties of the function have to
@@ -22,6 +29,19 @@ void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
  * of the surface.
  */
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize);
+
+/** Returns true if the parts of a function are available. */
+bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
+
+/**
+ * Visits the parts of the shape F < iso, or F > iso if inverted; none if the parts are unavailable.
+ * Points of the parts are relative to the origin.
+ */
+void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
+  const PartVisitor& visit, const std::array<double, 3>& origin = {});
+
+/** Returns points near the surface; none if they are unavailable or the inside is unbounded. */
+SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options);
 
 }
 

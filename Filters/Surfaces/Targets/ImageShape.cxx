@@ -3,7 +3,8 @@
 #include "Input/AttachedData.h"
 #include "Targets/GridFunction.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/ShapePreparation.h"
+#include "Targets/TargetOptions.h"
+#include "Targets/Warnings.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkBoundingBox.h"
@@ -204,12 +205,11 @@ ImageShape::ImageShape(const InputData& input)
 {
 }
 
-std::string ImageShape::Prepare(ShapePreparation& preparation)
+std::string ImageShape::Prepare(const TargetOptions& options, const Warnings& messages)
 {
-  if (!this->Function && preparation.IsDomainKnown)
+  if (!this->Function && options.IsDomainKnown)
   {
     vtkNew<vtkGridPotential> grid;
-    const TargetOptions& options = preparation.Options.Level;
     ImageLevel level{ options.IsoValue, options.Invert };
     vtkDataArray* values = this->Data->GetPointData()->GetScalars();
     if (level.IsoValue == 0.0 && values)
@@ -223,19 +223,19 @@ std::string ImageShape::Prepare(ShapePreparation& preparation)
     const std::string flaw = values ? DescribeNotFinite(values) : "";
     if (!flaw.empty())
     {
-      preparation.Report("values not finite", "The image " + preparation.When + ": " + flaw);
+      messages.Say("values not finite", "The image " + options.When + ": " + flaw);
     }
     return values ? DescribeLevel(values, level) : "";
   }
   return "";
 }
 
-std::string ImageShape::DescribeThinParts(const ShapeOptions& options) const
+std::string ImageShape::DescribeThinParts(const TargetOptions& options) const
 {
   return activesurface::DescribeThinParts(this->Function, options.VoxelSize);
 }
 
-void ImageShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox& images) const
+void ImageShape::AddBounds(const TargetOptions&, vtkBoundingBox&, vtkBoundingBox& images) const
 {
   double bounds[6];
   this->Data->GetBounds(bounds);
@@ -258,12 +258,12 @@ double ImageShape::GetPixel() const
 }
 
 std::unique_ptr<MovingTarget> ImageShape::MakeTarget(
-  const TargetFrames& frames, const ShapeOptions& options) const
+  const TargetFrames& frames, const TargetOptions& options) const
 {
-  TargetOptions level = options.Level;
+  TargetOptions level = options;
   level.IsoValue = 0.0; // already applied by the function
   level.Invert = false;
-  return MakeBlend(frames, options, level.Reach, level);
+  return MakeBlend(frames, level.Reach, level);
 }
 
 }

@@ -23,13 +23,13 @@ public:
    * Makes the function. Uses the level and side of the options, unless the level is 0. In this case
    * chooses the level and side that suit the values (ImageShape.cxx).
    */
-  std::string Prepare(ShapePreparation& preparation) override;
-  std::string DescribeThinParts(const ShapeOptions& options) const override;
+  std::string Prepare(const TargetOptions& options, const Warnings& messages) override;
+  std::string DescribeThinParts(const TargetOptions& options) const override;
   void AddBounds(
-    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+    const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   double GetPixel() const override;
   std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const override;
+    const TargetFrames& frames, const TargetOptions& options) const override;
 };
 
 }

@@ -4,7 +4,7 @@
 #define ImplicitTarget_h
 
 #include "Targets/FunctionSampler.h"
-#include "Targets/GridParts.h"
+#include "Targets/GridFunction.h"
 #include "Targets/PotentialTarget.h"
 
 #include "vtkImplicitFunction.h"
@@ -16,12 +16,12 @@ namespace activesurface
 class ImplicitTarget : public PotentialTarget
 {
 public:
-  // step, origin: see FunctionSampler.
-  ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options,
+  // origin: see FunctionSampler.
+  ImplicitTarget(vtkImplicitFunction* function, const TargetOptions& options,
     const std::array<double, 3>& origin = {})
     : PotentialTarget(options)
     , Source(function)
-    , Function(function, step, origin)
+    , Function(function, options.GetDifferenceStep(), origin)
     , Origin(origin)
   {
   }

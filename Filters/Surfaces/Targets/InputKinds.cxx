@@ -1,7 +1,8 @@
-#include "Targets/InputKinds.h"
+/** The kinds of input, and the choice of the kind for a data set. */
 
 #include "Targets/ContentSum.h"
 #include "Targets/ImageShape.h"
+#include "Targets/InputData.h"
 #include "Targets/MeshShape.h"
 #include "Targets/NoShape.h"
 #include "Targets/ParticleShape.h"

@@ -30,17 +30,17 @@ bool InputShape::IsEmptyAs(const InputShape&) const
   return false;
 }
 
-std::string InputShape::Prepare(ShapePreparation&)
+std::string InputShape::Prepare(const TargetOptions&, const Warnings&)
 {
   return "";
 }
 
-std::string InputShape::DescribeThinParts(const ShapeOptions&) const
+std::string InputShape::DescribeThinParts(const TargetOptions&) const
 {
   return "";
 }
 
-void InputShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox&) const {}
+void InputShape::AddBounds(const TargetOptions&, vtkBoundingBox&, vtkBoundingBox&) const {}
 
 bool InputShape::HasArrays(const ParticleArrays&) const
 {

@@ -18,11 +18,12 @@ namespace activesurface
 
 class MovingTarget;
 class TargetFrames;
+class Warnings;
+struct InputData;
 struct OwnedPart;
 struct ParticleArrays;
 struct ParticleFrame;
-struct ShapeOptions;
-struct ShapePreparation;
+struct TargetOptions;
 
 class InputShape
 {
@@ -62,23 +63,23 @@ public:
 
   /**
    * Makes radii and functions, and reports ignored data. Call this before all functions below, and
-   * again when the domain is available. Returns a message about defects of usable data, or an empty
-   * string. Throws std::invalid_argument and std::runtime_error.
+   * again when the voxel size is available. Returns a message about defects of usable data, or an
+   * empty string. Throws std::runtime_error.
    */
-  virtual std::string Prepare(ShapePreparation& preparation);
+  virtual std::string Prepare(const TargetOptions& options, const Warnings& messages);
 
   /**
    * Returns a message about parts that are too thin for the voxels, or an empty string. Call this
    * after Prepare, when the domain is available.
    */
-  virtual std::string DescribeThinParts(const ShapeOptions& options) const;
+  virtual std::string DescribeThinParts(const TargetOptions& options) const;
 
   /**
    * Adds the box of a shape to `shapes`, which the domain must enclose, or the box of an image to
    * `images`, which the domain equals.
    */
   virtual void AddBounds(
-    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
+    const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
 
   /**
    * Smallest spacing of an image along the axes with several samples [length]; 0 for other kinds.
@@ -90,7 +91,7 @@ public:
    * which must contain the steps that the target's MoveAlong uses.
    */
   virtual std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const = 0;
+    const TargetFrames& frames, const TargetOptions& options) const = 0;
 
   /** Null for a kind without an implicit function, and before Prepare has made it. */
   virtual vtkImplicitFunction* GetFunction() const { return nullptr; }
@@ -127,6 +128,12 @@ protected:
 private:
   std::array<double, 3> Origin = {};
 };
+
+/**
+ * Returns a shape of the kind of the data. Throws std::invalid_argument for data that cannot be a
+ * target, and for missing or unsuitable arrays.
+ */
+std::unique_ptr<InputShape> MakeInputShape(const InputData& input);
 
 }
 

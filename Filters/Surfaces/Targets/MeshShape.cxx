@@ -3,7 +3,8 @@
 #include "Input/MeshTriangles.h"
 #include "Targets/GridFunction.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/ShapePreparation.h"
+#include "Targets/TargetOptions.h"
+#include "Targets/Warnings.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkGridPotential.h"
@@ -48,25 +49,25 @@ MeshShape::MeshShape(const InputData& input)
 {
 }
 
-std::string MeshShape::Prepare(ShapePreparation& preparation)
+std::string MeshShape::Prepare(const TargetOptions& options, const Warnings&)
 {
-  if (this->Function || !preparation.IsDomainKnown)
+  if (this->Function || !options.IsDomainKnown)
   {
     return "";
   }
-  const double thickness = preparation.Options.MeshThickness;
+  const double thickness = options.MeshThickness;
   vtkNew<vtkGridPotential> grid;
-  grid->SetVoxelSize(preparation.Options.VoxelSize);
-  grid->SetReach(preparation.Reach);
+  grid->SetVoxelSize(options.VoxelSize);
+  grid->SetReach(options.MeshReach);
   grid->SetMeshThickness(thickness);
-  grid->SetMaximumNumberOfVoxels(ToCount(preparation.MaximumVoxels));
+  grid->SetMaximumNumberOfVoxels(ToCount(options.MeshVoxels));
   try
   {
     ReadGrid(grid, this->Data);
   }
   catch (const std::runtime_error& error)
   {
-    throw std::runtime_error(error.what() + preparation.MeshHint);
+    throw std::runtime_error(error.what() + options.MeshHint);
   }
   this->Function = grid;
   const std::string defects = grid->GetDefects();
@@ -77,15 +78,15 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
 }
 
 // Returns an empty string for a level other than 0, where the thickness of parts differs.
-std::string MeshShape::DescribeThinParts(const ShapeOptions& options) const
+std::string MeshShape::DescribeThinParts(const TargetOptions& options) const
 {
-  return options.Level.IsoValue == 0.0
+  return options.IsoValue == 0.0
     ? activesurface::DescribeThinParts(this->Function, options.VoxelSize)
     : "";
 }
 
 void MeshShape::AddBounds(
-  const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
+  const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
   const std::array<double, 6> bounds = FindBounds(vtkPolyData::SafeDownCast(this->Data));
   if (bounds[0] > bounds[1])
@@ -98,9 +99,9 @@ void MeshShape::AddBounds(
 }
 
 std::unique_ptr<MovingTarget> MeshShape::MakeTarget(
-  const TargetFrames& frames, const ShapeOptions& options) const
+  const TargetFrames& frames, const TargetOptions& options) const
 {
-  return MakeBlend(frames, options, options.Level.IsoValue + options.Level.Reach, options.Level);
+  return MakeBlend(frames, options.IsoValue + options.Reach, options);
 }
 
 }

@@ -25,12 +25,12 @@ public:
   /** A mesh without polygons consists of points only. */
   bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
 
-  std::string Prepare(ShapePreparation& preparation) override;
-  std::string DescribeThinParts(const ShapeOptions& options) const override;
+  std::string Prepare(const TargetOptions& options, const Warnings& messages) override;
+  std::string DescribeThinParts(const TargetOptions& options) const override;
   void AddBounds(
-    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+    const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const override;
+    const TargetFrames& frames, const TargetOptions& options) const override;
 };
 
 }

@@ -1,7 +1,7 @@
 #include "Targets/NoShape.h"
 
 #include "Targets/ParticleTarget.h"
-#include "Targets/ShapeOptions.h"
+#include "Targets/TargetOptions.h"
 
 #include "vtkDataSet.h"
 
@@ -16,7 +16,7 @@ bool NoShape::Fits(vtkDataSet* data)
 NoShape::NoShape(const InputData&) {}
 
 std::unique_ptr<MovingTarget> NoShape::MakeTarget(
-  const TargetFrames& frames, const ShapeOptions& options) const
+  const TargetFrames& frames, const TargetOptions& options) const
 {
   return std::make_unique<ParticleTarget>(frames, options);
 }

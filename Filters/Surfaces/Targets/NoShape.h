@@ -22,7 +22,7 @@ public:
 
   /** Returns a ParticleTarget; this shape contributes no particles. */
   std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const override;
+    const TargetFrames& frames, const TargetOptions& options) const override;
 };
 
 }

@@ -4,8 +4,8 @@
 // therefore has the same owner in each time step, and the owner has the particle's positions in two
 // steps.
 
-#ifndef HomeParticles_h
-#define HomeParticles_h
+#ifndef OwnedParticles_h
+#define OwnedParticles_h
 
 #include "Ranks/Agreement.h"
 #include "Targets/ParticleShape.h"

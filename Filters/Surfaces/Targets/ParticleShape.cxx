@@ -1,7 +1,8 @@
 #include "Targets/ParticleShape.h"
 
 #include "Targets/ParticleTarget.h"
-#include "Targets/ShapePreparation.h"
+#include "Targets/TargetOptions.h"
+#include "Targets/Warnings.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellType.h"
@@ -75,22 +76,22 @@ std::shared_ptr<ParticleShape> ParticleShape::MakeOther(ParticleFrame particles)
   return other;
 }
 
-std::string ParticleShape::Prepare(ShapePreparation& preparation)
+std::string ParticleShape::Prepare(const TargetOptions& options, const Warnings& messages)
 {
   const std::size_t count = this->Particles.CountAllPoints() - this->Particles.CountAllParticles();
   if (count > 0)
   {
-    preparation.Report("ignored particles",
+    messages.Say("ignored particles",
       std::to_string(count) + (count > 1 ? " particles are" : " particle is") + " left out " +
-        preparation.When +
+        options.When +
         " because coordinates, radius or strength are not finite, or the radius is not > 0.");
   }
-  preparation.GiveRadius(preparation.Options.Model, this->Particles);
+  options.GiveRadii(options.Model, this->Particles);
   return "";
 }
 
 void ParticleShape::AddBounds(
-  const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
+  const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
   double bounds[6];
   if (this->Particles.GetBounds(bounds))
@@ -108,7 +109,7 @@ void ParticleShape::AddBounds(
 }
 
 std::unique_ptr<MovingTarget> ParticleShape::MakeTarget(
-  const TargetFrames& frames, const ShapeOptions& options) const
+  const TargetFrames& frames, const TargetOptions& options) const
 {
   return std::make_unique<ParticleTarget>(frames, options);
 }

@@ -31,11 +31,11 @@ public:
   bool IsEmpty() const override { return this->Particles.CountAllParticles() == 0; }
   bool HasCells() const override { return this->HasVertices; }
 
-  std::string Prepare(ShapePreparation& preparation) override;
+  std::string Prepare(const TargetOptions& options, const Warnings& messages) override;
   void AddBounds(
-    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+    const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const override;
+    const TargetFrames& frames, const TargetOptions& options) const override;
 
   const ParticleFrame* GetParticles() const override { return &this->Particles; }
   bool HasArrays(const ParticleArrays& arrays) const override { return this->Kept == arrays; }

@@ -27,9 +27,9 @@ void VisitHollow(
   }
 }
 
-TargetOptions LevelOf(const ShapeOptions& options)
+TargetOptions LevelOf(const TargetOptions& options)
 {
-  TargetOptions level = options.Level;
+  TargetOptions level = options;
   level.Noise = options.IsOnNodes ? 0.0 : level.Noise;
   return level;
 }
@@ -54,16 +54,15 @@ void FindSupport(const SkeletonVertex& particle, double (&bounds)[6])
 
 }
 
-ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& options)
+ParticleTarget::ParticleTarget(const TargetFrames& frames, const TargetOptions& options)
   : MovingTarget(LevelOf(options))
   , Frames(frames)
-  , Options(options)
 {
 }
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  this->Frames.GetTrack(step, this->Options.Box, fraction).List(this->Now);
+  this->Frames.GetTrack(step, this->GetOptions().Box, fraction).List(this->Now);
 }
 
 double ParticleTarget::FindOwnRadius(int step, double& reachPerRadius) const
@@ -72,8 +71,8 @@ double ParticleTarget::FindOwnRadius(int step, double& reachPerRadius) const
                       &later = this->Frames.GetParticles(step + 1);
   const bool haveRadii = earlier.HasRadii || later.HasRadii;
   reachPerRadius = haveRadii ? std::max(earlier.ReachPerRadius, later.ReachPerRadius)
-                             : 2.0 * GetReachPerSpacing(this->Options.Model);
-  return haveRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
+                             : 2.0 * GetReachPerSpacing(this->GetOptions().Model);
+  return haveRadii ? 0.0 : 0.5 * this->GetOptions().Spacing;
 }
 
 void ParticleTarget::Finish()
@@ -82,20 +81,20 @@ void ParticleTarget::Finish()
   {
     SetElements(this->Now, this->Elements);
   }
-  if (!this->IsSum() || this->Options.OpensHollows)
+  if (!this->IsSum() || this->GetOptions().OpensHollows)
   {
-    NodeParticleOptions options = GetNodeOptions(this->Options, 1.0);
+    NodeParticleOptions options = GetNodeOptions(this->GetOptions(), 1.0);
     options.OwnRadius = this->FindOwnRadius(this->GetFirstStep(), options.ReachPerRadius);
     this->Body.Build(this->Now, options);
   }
 }
 
-NodeParticleOptions ParticleTarget::GetNodeOptions(const ShapeOptions& options, double voxelSize)
+NodeParticleOptions ParticleTarget::GetNodeOptions(const TargetOptions& options, double voxelSize)
 {
   NodeParticleOptions nodes;
   nodes.Model = options.Model;
   nodes.VoxelSize = voxelSize;
-  nodes.OwnRadius = 0.5 * options.SpacingInUse;
+  nodes.OwnRadius = 0.5 * options.Spacing;
   nodes.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
   nodes.Anisotropy = options.Anisotropy;
   nodes.WantsBulks = options.WantsBulks();
@@ -109,14 +108,14 @@ void ParticleTarget::PlaceNodes(const NodeMotion& motion)
   this->VoxelSize = motion.VoxelSize;
   const int step = this->GetFirstStep();
   ParticleTrack track =
-    this->Frames.GetTrack(step, this->Options.Box, this->FindFraction(motion.End));
+    this->Frames.GetTrack(step, this->GetOptions().Box, this->FindFraction(motion.End));
   track.SetDuration(this->GetDuration());
   if (this->IsSum())
   {
     track.List(this->AtNodes);
     SetElements(this->AtNodes, this->ElementsAtNodes);
   }
-  NodeParticleOptions options = GetNodeOptions(this->Options, motion.VoxelSize);
+  NodeParticleOptions options = GetNodeOptions(this->GetOptions(), motion.VoxelSize);
   options.OwnRadius = this->FindOwnRadius(step, options.ReachPerRadius);
   options.Duration = motion.Transport * (motion.End - motion.Begin);
   options.Space = motion.Space;
@@ -151,7 +150,7 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
       points[3 * count++ + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
     });
   this->ElementsAtNodes.Evaluate(
-    this->Options.Kernel, this->GetLevel(), count, points, found, nullptr);
+    this->GetOptions().Kernel, this->GetLevel(), count, points, found, nullptr);
   const double *next = found, level = this->GetLevel();
   visit(
     [&](int n)
@@ -180,7 +179,7 @@ void ParticleTarget::VisitRegions(
     }
     visit(part);
     double outward[3];
-    if ((!this->IsSum() || this->Options.OpensHollows) && this->Body.FindOutward(i, outward))
+    if ((!this->IsSum() || this->GetOptions().OpensHollows) && this->Body.FindOutward(i, outward))
     {
       VisitHollow(particle, outward, visit);
     }
@@ -193,7 +192,7 @@ void ParticleTarget::Sample(
   if (this->IsSum())
   {
     this->Elements.Evaluate(
-      this->Options.Kernel, this->Options.Threshold, count, points, values, gradients);
+      this->GetOptions().Kernel, this->GetOptions().Threshold, count, points, values, gradients);
   }
   else
   {

@@ -12,7 +12,6 @@
 #include "ParticleNodes.h"
 #include "ParticlePotential.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"
 
 #include <vector>
@@ -26,10 +25,10 @@ class ParticleTarget
 {
 public:
   // The caller owns the frames. They must contain the steps that MoveAlong uses.
-  ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
+  ParticleTarget(const TargetFrames& frames, const TargetOptions& options);
 
   // Options of the node scheme for particles of one radius.
-  static NodeParticleOptions GetNodeOptions(const ShapeOptions& options, double voxelSize);
+  static NodeParticleOptions GetNodeOptions(const TargetOptions& options, double voxelSize);
 
   NodeTarget* GetNodes() override { return this; }
   void PlaceNodes(const NodeMotion& motion) override;
@@ -45,12 +44,12 @@ public:
   }
   float GetNoise() const override
   {
-    return static_cast<float>(this->Options.NoiseAtNodes / this->VoxelSize);
+    return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
   // The particles' own radius: such a surface has no room for particles before the wall.
   float GetWallGap() const override
   {
-    return static_cast<float>(0.5 * this->Options.SpacingInUse / this->VoxelSize);
+    return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);
   }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
@@ -67,15 +66,14 @@ protected:
     std::size_t count, const double* points, double* values, double* gradients) const override;
 
 private:
-  bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
+  bool IsSum() const { return this->GetOptions().Model == ParticleModel::Sum; }
   // Returns the own radius of the particles of a step and the next one [length], or 0 if the
   // particles have radii. Sets the ratio of support radius to own radius.
   double FindOwnRadius(int step, double& reachPerRadius) const;
   // Value of the sum of kernels at the skin.
-  double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }
+  double GetLevel() const { return this->GetOptions().Threshold - this->GetOptions().IsoValue; }
 
   const TargetFrames& Frames;
-  const ShapeOptions Options;
 
   // Data of explicit substeps.
   std::vector<SkeletonVertex> Now;

@@ -6,26 +6,10 @@
 
 #include "Base/InitialFunction.h"
 #include "Base/Target.h"
-
-#include <limits>
+#include "Targets/TargetOptions.h"
 
 namespace activesurface
 {
-
-struct TargetOptions
-{
-  double IsoValue = 0.0;
-  bool Invert = false;
-
-  // Use the first-order distance (F - iso) / |grad F|, clamped to +-Reach, instead of F - iso.
-  // Where the gradient vanishes or is not finite, the value is +-Reach with the sign of F - iso.
-  bool Normalize = true;
-  double Reach = std::numeric_limits<double>::infinity();
-
-  // Distance below which a deviation of the surface may be noise [length]. Within this distance the
-  // attraction is reduced, down to 3 %. 0: no reduction. Used with Normalize only.
-  double Noise = 0.0;
-};
 
 class PotentialTarget : public Target
 {

@@ -1,7 +1,8 @@
 #include "Targets/SkeletonShape.h"
 
 #include "Targets/MovingTarget.h"
-#include "Targets/ShapePreparation.h"
+#include "Targets/TargetOptions.h"
+#include "Targets/Warnings.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
@@ -103,21 +104,21 @@ SkeletonShape::SkeletonShape(const InputData& input)
   AddArray(this->Data, arrays.Strengths, StrengthName);
 }
 
-std::string SkeletonShape::Prepare(ShapePreparation& preparation)
+std::string SkeletonShape::Prepare(const TargetOptions& options, const Warnings&)
 {
   if (this->Function)
   {
     return "";
   }
-  preparation.GiveRadius(ParticleModel::Sum, this->Points);
+  options.GiveRadii(ParticleModel::Sum, this->Points);
   vtkNew<vtkSkeletonPotential> skeleton;
-  AddReaches(this->Data, preparation.GetReachPerRadius(ParticleModel::Sum));
+  AddReaches(this->Data, options.GetReachPerRadius(ParticleModel::Sum));
   skeleton->SetInput(vtkPointSet::SafeDownCast(this->Data));
-  skeleton->SetRadius(preparation.GetRadius(ParticleModel::Sum));
+  skeleton->SetRadius(options.GetRadius(ParticleModel::Sum));
   skeleton->SetRadiusArrayName(FindName(this->Data, ReachName));
   skeleton->SetStrengthArrayName(FindName(this->Data, StrengthName));
-  skeleton->SetKernel(static_cast<int>(preparation.Options.Kernel));
-  skeleton->SetThreshold(preparation.Options.Threshold);
+  skeleton->SetKernel(static_cast<int>(options.Kernel));
+  skeleton->SetThreshold(options.Threshold);
   const LastReport errors(skeleton, vtkCommand::ErrorEvent);
   const LastReport warnings(skeleton, vtkCommand::WarningEvent);
   const vtkIdType ignored = skeleton->GetNumberOfIgnoredElements();
@@ -138,7 +139,7 @@ void SkeletonShape::MoveBy(const double offset[3])
   this->Points.MoveBy(offset);
 }
 
-void SkeletonShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
+void SkeletonShape::AddBounds(const TargetOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
   double bounds[6];
   auto skeleton = vtkSkeletonPotential::SafeDownCast(this->Function);
@@ -149,9 +150,9 @@ void SkeletonShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBo
 }
 
 std::unique_ptr<MovingTarget> SkeletonShape::MakeTarget(
-  const TargetFrames& frames, const ShapeOptions& options) const
+  const TargetFrames& frames, const TargetOptions& options) const
 {
-  return MakeBlend(frames, options, options.Threshold, options.Level);
+  return MakeBlend(frames, options.Threshold, options);
 }
 
 }

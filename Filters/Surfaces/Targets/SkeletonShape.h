@@ -22,11 +22,11 @@ public:
   const ParticleFrame* GetPoints() const override { return &this->Points; }
 
   /** Makes the function at the first call, because the function needs no voxels. */
-  std::string Prepare(ShapePreparation& preparation) override;
+  std::string Prepare(const TargetOptions& options, const Warnings& messages) override;
   void AddBounds(
-    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+    const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(
-    const TargetFrames& frames, const ShapeOptions& options) const override;
+    const TargetFrames& frames, const TargetOptions& options) const override;
 
 protected:
   bool KnowsParts() const override { return false; }

@@ -4,7 +4,8 @@
 #include "Shapes/MeshShapes.h"
 #include "Simulation/TargetBuilder.h"
 #include "Support/Throws.h"
-#include "Targets/InputKinds.h"
+#include "Targets/InputData.h"
+#include "Targets/InputShape.h"
 
 #include "vtkFloatArray.h"
 #include "vtkRectilinearGrid.h"

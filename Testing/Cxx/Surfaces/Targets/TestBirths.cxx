@@ -79,11 +79,11 @@ struct Way
   }
 
   TargetFrames Frames;
-  static ShapeOptions MakeOptions()
+  static TargetOptions MakeOptions()
   {
-    ShapeOptions options;
+    TargetOptions options;
     options.Threshold = Threshold;
-    options.Level.Normalize = false;
+    options.Normalize = false;
     return options;
   }
   ParticleTarget Target{ this->Frames, MakeOptions() };
