@@ -3,8 +3,11 @@
 #include "Index/ParallelTasks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -17,6 +20,13 @@ double Between(double a, double b, double fraction)
   return a + fraction * (b - a);
 }
 
+// NaN for an absent particle, and for a frame without velocities.
+double VelocityOf(const ParticleFrame* frame, std::size_t particle, std::size_t axis)
+{
+  const bool isKnown = particle != NoPartner && frame->HasVelocities;
+  return isKnown ? frame->Velocities[particle][axis] : std::numeric_limits<double>::quiet_NaN();
+}
+
 SkeletonVertex Faded(SkeletonVertex particle, double share)
 {
   particle.Strength *= share;
@@ -26,22 +36,23 @@ SkeletonVertex Faded(SkeletonVertex particle, double share)
 }
 
 ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
-  const ParticleMatches* matches, const PeriodicBox& box, double fraction)
+  std::shared_ptr<const ParticleMatches> matches, const PeriodicBox& box, double fraction)
   : Earlier(&earlier)
   , Later(later)
-  , Matches(matches)
+  , Matches(std::move(matches))
   , Box(box)
   , Fraction(later ? fraction : 0.0)
   , Count(earlier.Particles.size())
 {
   if (this->Fraction != 0.0)
   {
-    this->Count += matches->Births.size();
+    const ParticleMatches& pairs = *this->Matches;
+    this->Count += pairs.Births.size();
     const auto hasFaded = [](const SkeletonVertex& particle, double share)
     { return particle.Strength * share == 0.0; };
-    if (std::any_of(matches->Deaths.begin(), matches->Deaths.end(),
+    if (std::any_of(pairs.Deaths.begin(), pairs.Deaths.end(),
           [&](std::size_t death) { return hasFaded(earlier.Particles[death], 1.0 - fraction); }) ||
-      std::any_of(matches->Births.begin(), matches->Births.end(),
+      std::any_of(pairs.Births.begin(), pairs.Births.end(),
         [&](std::size_t birth) { return hasFaded(later->Particles[birth], fraction); }))
     {
       this->ListKept(this->Count);
@@ -177,6 +188,38 @@ bool ParticleTrack::FindVelocity(std::size_t n, double (&velocity)[3]) const
 {
   return activesurface::FindVelocity(
     this->Earlier, this->Later, this->GetOrigin(n), this->Box, this->Duration, velocity);
+}
+
+double ParticleTrack::Interpolate(double earlier, double later, const ParticleOrigin& origin) const
+{
+  if (this->Fraction == 0.0 || origin.Later == NoPartner)
+  {
+    return earlier;
+  }
+  return origin.Earlier == NoPartner ? later
+                                     : activesurface::Between(earlier, later, this->Fraction);
+}
+
+std::vector<double> ParticleTrack::ListVelocities() const
+{
+  const bool areGiven = this->Earlier->HasVelocities || (this->Later && this->Later->HasVelocities);
+  std::vector<double> velocities(3 * this->Count, std::numeric_limits<double>::quiet_NaN());
+  RunEach(this->Count,
+    [&](std::size_t n)
+    {
+      double velocity[3];
+      const ParticleOrigin origin = this->GetOrigin(n);
+      for (std::size_t axis = 0; areGiven && axis < 3; ++axis)
+      {
+        velocity[axis] = this->Interpolate(VelocityOf(this->Earlier, origin.Earlier, axis),
+          VelocityOf(this->Later, origin.Later, axis), origin);
+      }
+      if (areGiven || this->FindVelocity(n, velocity))
+      {
+        std::copy_n(velocity, 3, velocities.data() + 3 * n);
+      }
+    });
+  return velocities;
 }
 
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -24,12 +25,14 @@ namespace activesurface
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
-  // The caller owns the frames and the matches. later and matches may both be null.
+  // The caller owns the frames. later and matches may both be null. For a track that begins at the
+  // later of two steps, exchange the frames, invert the matches, and set a duration < 0.
   ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
-    const ParticleMatches* matches, const PeriodicBox& box, double fraction);
+    std::shared_ptr<const ParticleMatches> matches, const PeriodicBox& box, double fraction);
 
   const ParticleFrame& GetEarlier() const { return *this->Earlier; }
   const ParticleFrame* GetLater() const { return this->Later; }
+  double GetFraction() const { return this->Fraction; }
 
   std::size_t Size() const override { return this->Count; }
   SkeletonVertex Get(std::size_t n) const override;
@@ -46,6 +49,12 @@ public:
   // false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
+  // Returns x y z for each particle, NaN where unknown: the velocities of the frames if available,
+  // otherwise those of FindVelocity.
+  std::vector<double> ListVelocities() const;
+
+  // Interpolates a value linearly; a particle in only one of the steps keeps its value there.
+  double Interpolate(double earlier, double later, const ParticleOrigin& origin) const;
 
 private:
   // n: index that counts faded particles too.
@@ -65,7 +74,7 @@ private:
 
   const ParticleFrame* Earlier;
   const ParticleFrame* Later;
-  const ParticleMatches* Matches;
+  std::shared_ptr<const ParticleMatches> Matches;
   PeriodicBox Box;
   double Fraction;
   double Duration = 0.0;

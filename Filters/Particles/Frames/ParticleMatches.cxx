@@ -165,6 +165,23 @@ ParticleMatches PairParticles(
   return matches;
 }
 
+ParticleMatches InvertMatches(const ParticleMatches& matches, std::size_t earlier)
+{
+  ParticleMatches inverse;
+  inverse.Partners.assign(earlier, NoPartner);
+  for (std::size_t i = 0; i < matches.Partners.size(); ++i)
+  {
+    if (matches.Partners[i] != NoPartner)
+    {
+      inverse.Partners[matches.Partners[i]] = i;
+    }
+  }
+  inverse.Deaths = matches.Births;
+  inverse.Births = matches.Deaths;
+  inverse.AreShuffled = matches.AreShuffled;
+  return inverse;
+}
+
 ParticleMatches MatchParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box)
 {
@@ -195,7 +212,7 @@ double FindLargestDisplacement(const ParticleFrame& earlier, const ParticleFrame
 bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
   const ParticleOrigin& origin, const PeriodicBox& box, double duration, double (&velocity)[3])
 {
-  if (origin.Earlier == NoPartner || origin.Later == NoPartner || !(duration > 0.0))
+  if (origin.Earlier == NoPartner || origin.Later == NoPartner || duration == 0.0)
   {
     return false;
   }

@@ -43,6 +43,10 @@ VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
 VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
 
+// Exchanges the two steps. earlier: number of particles in the step that becomes the earlier one.
+VTKACTIVEPARTICLES_EXPORT ParticleMatches InvertMatches(
+  const ParticleMatches& matches, std::size_t earlier);
+
 // Displacement of a particle from step to step, and its index.
 struct NumberedDisplacement
 {
@@ -73,7 +77,8 @@ struct ParticleOrigin
 };
 
 // Finds the velocity (x y z) of a particle that moves uniformly from step to step. Returns false if
-// the particle is in only one step (the other frame may be null), or if the duration is 0.
+// the particle is in only one step (the other frame may be null), or if the duration is 0. The
+// duration is negative if `earlier` is the later step.
 VTKACTIVEPARTICLES_EXPORT bool FindVelocity(const ParticleFrame* earlier,
   const ParticleFrame* later, const ParticleOrigin& origin, const PeriodicBox& box, double duration,
   double (&velocity)[3]);

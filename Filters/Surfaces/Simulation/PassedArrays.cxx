@@ -35,6 +35,18 @@ struct Column
 
 using Columns = std::vector<Column>;
 
+struct PlacedParticles
+{
+  explicit PlacedParticles(const ParticleTrack& track)
+    : Track(track)
+  {
+    track.List(this->Particles, this->Origins);
+  }
+  const ParticleTrack& Track;
+  std::vector<SkeletonVertex> Particles;
+  std::vector<ParticleOrigin> Origins; // of the particles
+};
+
 // Returns true for VTK's type of colours, RGB or RGBA.
 bool IsColor(vtkAbstractArray* array)
 {
@@ -74,13 +86,16 @@ bool Has(const ParticleFrame* frame)
 }
 
 // Returns an empty pair for an array that cannot be passed.
-Pair FindPair(const ParticlesAtTime& particles, const char* name)
+Pair FindPair(const PlacedParticles& particles, const char* name)
 {
-  const bool wantsEarlier = particles.Fraction < 1.0 && Has(particles.Earlier);
-  const bool wantsLater = particles.Fraction > 0.0 && Has(particles.Later);
+  const bool wantsEarlier =
+    particles.Track.GetFraction() < 1.0 && Has(&particles.Track.GetEarlier());
+  const bool wantsLater = particles.Track.GetFraction() > 0.0 && Has(particles.Track.GetLater());
   Pair pair;
-  pair.Earlier = wantsEarlier ? FindArrays(particles.Earlier)->GetAbstractArray(name) : nullptr;
-  pair.Later = wantsLater ? FindArrays(particles.Later)->GetAbstractArray(name) : nullptr;
+  pair.Earlier =
+    wantsEarlier ? FindArrays(&particles.Track.GetEarlier())->GetAbstractArray(name) : nullptr;
+  pair.Later =
+    wantsLater ? FindArrays(particles.Track.GetLater())->GetAbstractArray(name) : nullptr;
   const bool isMissing = (wantsEarlier && !pair.Earlier) || (wantsLater && !pair.Later);
   return isMissing || !pair.IsAlike() ? Pair() : pair;
 }
@@ -92,16 +107,16 @@ struct Place
   vtkIdType Tuple;
 };
 
-Place FindPlace(const ParticlesAtTime& particles, const Pair& pair, std::size_t particle)
+Place FindPlace(const PlacedParticles& particles, const Pair& pair, std::size_t particle)
 {
   const ParticleOrigin& origin = particles.Origins[particle];
   const bool isLater = pair.Later && origin.Later != NoPartner &&
-    (!pair.Earlier || origin.Earlier == NoPartner || particles.Fraction >= 0.5);
-  return isLater ? Place{ pair.Later, particles.Later->GetPoint(origin.Later) }
-                 : Place{ pair.Earlier, particles.Earlier->GetPoint(origin.Earlier) };
+    (!pair.Earlier || origin.Earlier == NoPartner || particles.Track.GetFraction() >= 0.5);
+  return isLater ? Place{ pair.Later, particles.Track.GetLater()->GetPoint(origin.Later) }
+                 : Place{ pair.Earlier, particles.Track.GetEarlier().GetPoint(origin.Earlier) };
 }
 
-Column MakeColumn(const ParticlesAtTime& particles, const Pair& pair)
+Column MakeColumn(const PlacedParticles& particles, const Pair& pair)
 {
   auto earlier = vtkDataArray::SafeDownCast(pair.Earlier);
   auto later = vtkDataArray::SafeDownCast(pair.Later);
@@ -116,10 +131,11 @@ Column MakeColumn(const ParticlesAtTime& particles, const Pair& pair)
     {
       const bool isEarlier = earlier && origin.Earlier != NoPartner;
       const bool isLater = later && origin.Later != NoPartner;
-      column.Values.push_back(
-        Mix(isEarlier ? earlier->GetComponent(particles.Earlier->GetPoint(origin.Earlier), c) : 0.0,
-          isLater ? later->GetComponent(particles.Later->GetPoint(origin.Later), c) : 0.0, origin,
-          particles.Fraction));
+      column.Values.push_back(particles.Track.Interpolate(isEarlier
+          ? earlier->GetComponent(particles.Track.GetEarlier().GetPoint(origin.Earlier), c)
+          : 0.0,
+        isLater ? later->GetComponent(particles.Track.GetLater()->GetPoint(origin.Later), c) : 0.0,
+        origin));
     }
   }
   return column;
@@ -198,9 +214,10 @@ private:
 };
 
 // Computes the averages. Returns the particle of the largest weight for each point of the skin.
-std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)
+std::vector<vtkIdType> Average(const std::vector<SkeletonVertex>& cloud, SkeletonKernel kernel,
+  vtkPolyData* skin, Columns& columns)
 {
-  const ParticleWeights particles(passed.Particles.Particles, passed.Kernel);
+  const ParticleWeights particles(cloud, kernel);
   const std::size_t count = static_cast<std::size_t>(skin->GetNumberOfPoints());
   std::vector<vtkIdType> nearest(count);
   for (Column& column : columns)
@@ -263,7 +280,7 @@ void AddAverages(Column& column, vtkPolyData* skin)
   skin->GetPointData()->AddArray(array);
 }
 
-void AddNearest(const ParticlesAtTime& particles, const Pair& pair,
+void AddNearest(const PlacedParticles& particles, const Pair& pair,
   const std::vector<vtkIdType>& nearest, vtkPolyData* skin)
 {
   vtkSmartPointer<vtkAbstractArray> array;
@@ -299,15 +316,16 @@ void AddDrift(const Column& column, const vtkFloatArray* directions, vtkPolyData
   }
 }
 
-vtkPointData* GetReference(const ParticlesAtTime& particles)
+vtkPointData* GetReference(const PlacedParticles& particles)
 {
-  const bool fromEarlier = Has(particles.Earlier) && particles.Fraction < 1.0;
-  return FindArrays(fromEarlier ? particles.Earlier : particles.Later);
+  const bool fromEarlier =
+    Has(&particles.Track.GetEarlier()) && particles.Track.GetFraction() < 1.0;
+  return FindArrays(fromEarlier ? &particles.Track.GetEarlier() : particles.Track.GetLater());
 }
 
-void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
+void CopyActiveScalars(const PlacedParticles& particles, vtkPolyData* skin)
 {
-  vtkDataArray* scalars = passed.Arrays ? GetReference(passed.Particles)->GetScalars() : nullptr;
+  vtkDataArray* scalars = GetReference(particles)->GetScalars();
   if (scalars && scalars->GetName() && skin->GetPointData()->HasArray(scalars->GetName()))
   {
     skin->GetPointData()->SetActiveScalars(scalars->GetName());
@@ -315,11 +333,10 @@ void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
 }
 
 // Returns the arrays that are passed to the skin, in the order of the particles' arrays.
-std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
+std::vector<Pair> FindPairs(const PlacedParticles& particles, vtkPolyData* skin)
 {
-  const ParticlesAtTime& particles = passed.Particles;
   vtkPointData* own = skin->GetPointData();
-  vtkPointData* arrays = passed.Arrays ? GetReference(particles) : nullptr;
+  vtkPointData* arrays = GetReference(particles);
   std::vector<Pair> pairs;
   for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -342,35 +359,39 @@ std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
 
 void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin)
 {
-  if (passed.Particles.Particles.empty() || skin->GetNumberOfPoints() == 0)
+  if (!passed.Particles || passed.Particles->Size() == 0 || skin->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const std::vector<Pair> pairs = FindPairs(passed, skin);
+  const PlacedParticles particles(*passed.Particles);
+  const std::vector<Pair> pairs = passed.Arrays ? FindPairs(particles, skin) : std::vector<Pair>();
   Columns columns;
   for (const Pair& pair : pairs)
   {
     if (IsAveraged(pair.Get()))
     {
-      columns.push_back(MakeColumn(passed.Particles, pair));
+      columns.push_back(MakeColumn(particles, pair));
     }
   }
   if (!passed.Velocities.empty())
   {
     columns.push_back(MakeVelocityColumn(passed.Velocities));
   }
-  const std::vector<vtkIdType> nearest = Average(passed, skin, columns);
+  const std::vector<vtkIdType> nearest = Average(particles.Particles, passed.Kernel, skin, columns);
   auto column = columns.begin();
   for (const Pair& pair : pairs)
   {
     IsAveraged(pair.Get()) ? AddAverages(*column++, skin)
-                           : AddNearest(passed.Particles, pair, nearest, skin);
+                           : AddNearest(particles, pair, nearest, skin);
   }
   if (!passed.Velocities.empty())
   {
     AddDrift(*column, directions, skin);
   }
-  CopyActiveScalars(passed, skin);
+  if (passed.Arrays)
+  {
+    CopyActiveScalars(particles, skin);
+  }
 }
 
 }

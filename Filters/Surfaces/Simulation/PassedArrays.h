@@ -4,8 +4,9 @@
 #define PassedArrays_h
 
 #include "Index/SkeletonKernel.h"
-#include "Simulation/ParticlesAtTime.h"
+#include "ParticleTrack.h"
 
+#include <optional>
 #include <vector>
 
 class vtkFloatArray;
@@ -16,7 +17,7 @@ namespace activesurface
 
 struct PassedArrays
 {
-  ParticlesAtTime Particles; // without particles nothing is passed
+  std::optional<ParticleTrack> Particles; // at the time; none: nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
   std::vector<double> Velocities; // x y z of each particle, NaN: unknown; or empty

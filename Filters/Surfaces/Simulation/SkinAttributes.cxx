@@ -10,6 +10,53 @@
 namespace activesurface
 {
 
+namespace
+{
+
+// Returns true for the interval before the requested step, false for the one after it.
+bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
+  const RequestedArrays& arrays, const TargetBuilder& target)
+{
+  const int before = time.Step - 1;
+  return !time.Between && before >= 0 &&
+    (!settings.Inputs.OnlyForward || HasArrays(target, before, arrays));
+}
+
+}
+
+bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays)
+{
+  const InputShape* shape = target.GetFrames().Find(step);
+  return shape && (!arrays.NeedParticles() || shape->HasArrays(arrays.Kept));
+}
+
+bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target)
+{
+  return arrays.TangentialVelocity || (arrays.FastestParticle && target.MayHaveParticles()) ||
+    (arrays.Speeds && target.MayCarry());
+}
+
+ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval)
+{
+  ArrayFrames found;
+  if (!settings.Inputs.TargetMoves)
+  {
+    return found;
+  }
+  const int last = settings.GetNumberOfSteps() - 1;
+  const bool looksBack = wantsInterval && LooksBack(settings, time, arrays, target);
+  const bool looksAhead = time.Between || (wantsInterval && time.Step == 0);
+  found.First = time.Step - (looksBack ? 1 : 0);
+  found.Last = std::min(time.Step + (looksAhead ? 1 : 0), last);
+  const double begin = settings.GetMotionTimeOf(found.First).Value;
+  found.Duration = settings.GetMotionTimeOf(std::min(found.First + 1, last)).Value - begin;
+  found.Fraction = looksBack ? 1.0
+    : time.Between           ? (settings.ToMotionTime(time.Time).Value - begin) / found.Duration
+                             : 0.0;
+  return found;
+}
+
 SkinAttributes::SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
   const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays)
   : Settings(settings)
@@ -68,12 +115,16 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames found = FindArrayFrames(
     this->Settings, this->Time, this->Arrays, this->Shapes, this->Arrays.TangentialVelocity);
-  passed.Particles = FindParticlesAt(frames, found.First, this->Shapes.GetBox(), found.Fraction);
+  const PeriodicBox box = this->Shapes.GetBox();
+  const bool isAtEnd = found.Fraction == 1.0;
+  passed.Particles = isAtEnd ? frames.GetTrackBack(found.First, box)
+                             : frames.GetTrack(found.First, box, found.Fraction);
+  passed.Particles->SetDuration(isAtEnd ? -found.Duration : found.Duration);
   passed.Kernel = this->Settings.Particles.Kernel;
   passed.Arrays = this->Arrays.Passed;
   if (this->Arrays.TangentialVelocity)
   {
-    passed.Velocities = passed.Particles.FindVelocities(found.Duration);
+    passed.Velocities = passed.Particles->ListVelocities();
   }
   return passed;
 }
@@ -83,7 +134,7 @@ double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
   const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames interval =
     FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true);
-  const ParticleMatches* matches = frames.FindMatches(interval.First);
+  const auto matches = frames.FindMatches(interval.First);
   if (!matches || !this->Settings.Inputs.TargetMoves)
   {
     return 0.0;

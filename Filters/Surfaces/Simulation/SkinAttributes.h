@@ -3,9 +3,10 @@
 #ifndef SkinAttributes_h
 #define SkinAttributes_h
 
-#include "Simulation/ArrayFrames.h"
 #include "Simulation/PassedArrays.h"
+#include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
+#include "Targets/InputData.h"
 #include "Targets/Warnings.h"
 
 #include <vector>
@@ -15,6 +16,43 @@ namespace activesurface
 
 class NarrowBand;
 struct Motion;
+
+// Requested arrays and attributes of the skin.
+struct RequestedArrays
+{
+  bool Speeds = false;
+  bool Passed = false;             // point arrays of the particles
+  bool TangentialVelocity = false; // of the particles
+  bool FastestParticle = false;    // speed of the fastest particle
+  bool Potential = false;          // the output Potential, not an array
+  ParticleArrays Kept;             // arrays of particles that are kept when frames are read
+
+  bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
+  // Returns true if an output needs the whole skin on each rank, so that a distributed skin has to
+  // be gathered.
+  bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
+};
+
+// A time between two frames, at a fraction of the interval from the step First to the next one.
+struct ArrayFrames
+{
+  int First = 0;
+  int Last = 0; // last frame needed: First, or the next one
+  double Fraction = 0.0;
+  double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
+};
+
+// Returns the frames at the requested time. If wantsInterval, for particle velocities, returns the
+// frames of the interval up to the requested time instead; at the first step, of the interval after
+// this step.
+ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
+
+// Returns true if the arrays depend on the displacement of particles between two steps.
+bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target);
+
+// Returns true if the frame of a step is stored and was read with the needed particle arrays.
+bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays);
 
 class SkinAttributes
 {

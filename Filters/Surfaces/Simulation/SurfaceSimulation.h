@@ -15,7 +15,6 @@
 
 #include "Base/Walls.h"
 #include "NarrowBand.h"
-#include "Simulation/ArrayFrames.h"
 #include "Simulation/MotionDriver.h"
 #include "Simulation/MotionWarnings.h"
 #include "Simulation/SharedFrames.h"

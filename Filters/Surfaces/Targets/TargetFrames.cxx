@@ -37,12 +37,13 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
   {
     std::swap(earlier, later);
   }
-  ParticleMatches matches;
-  this->AreMatched =
+  std::shared_ptr<const ParticleMatches> matches;
+  const bool areMatched =
     earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Owned && !later.Shape->Owned;
-  if (this->AreMatched)
+  if (areMatched)
   {
-    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box);
+    matches = std::make_shared<ParticleMatches>(
+      MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box));
   }
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);
@@ -51,7 +52,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
 
 std::string TargetFrames::DescribeMatches() const
 {
-  return this->Matches.AreShuffled
+  return this->Matches && this->Matches->AreShuffled
     ? "The particles have no ids, and their order differs between time steps, so the filter cannot "
       "match particles: they fade out and in, and the skin does not move with them. Choose an "
       "array of ids by SetInputArrayToProcess(1, ...)."
@@ -76,16 +77,26 @@ vtkImplicitFunction* TargetFrames::GetFunction(int step) const
   return shape ? shape->GetFunction() : nullptr;
 }
 
-const ParticleMatches* TargetFrames::FindMatches(int step) const
+std::shared_ptr<const ParticleMatches> TargetFrames::FindMatches(int step) const
 {
-  return this->AreMatched && this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
+  return this->Has(step) && this->Has(step + 1) ? this->Matches : nullptr;
 }
 
 ParticleTrack TargetFrames::GetTrack(int step, const PeriodicBox& box, double fraction) const
 {
-  const ParticleMatches* matches = this->FindMatches(step);
+  const auto matches = this->FindMatches(step);
   return { this->GetParticles(step), matches ? &this->GetParticles(step + 1) : nullptr, matches,
     box, fraction };
+}
+
+ParticleTrack TargetFrames::GetTrackBack(int step, const PeriodicBox& box) const
+{
+  const ParticleFrame& first = this->GetParticles(step + 1);
+  const auto matches = this->FindMatches(step);
+  return { first, matches ? &this->GetParticles(step) : nullptr,
+    matches ? std::make_shared<ParticleMatches>(InvertMatches(*matches, first.Particles.size()))
+            : nullptr,
+    box, 0.0 };
 }
 
 }

@@ -30,8 +30,7 @@ public:
   {
     this->Earlier = { step, std::move(earlier) };
     this->Later = { step + 1, std::move(later) };
-    this->Matches = std::move(matches);
-    this->AreMatched = true;
+    this->Matches = std::make_shared<ParticleMatches>(std::move(matches));
   }
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
@@ -49,10 +48,12 @@ public:
 
   // Returns the track from a step to the next one, if that is stored. Valid until a step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
+  // Returns the track from the step after this one back to this one, at its beginning.
+  ParticleTrack GetTrackBack(int step, const PeriodicBox& box) const;
 
   // Returns the particle matches of a step and the next one; null if a step is not stored, or if
   // the steps are not matched.
-  const ParticleMatches* FindMatches(int step) const;
+  std::shared_ptr<const ParticleMatches> FindMatches(int step) const;
 
   // Returns a message about the matching; empty if there is none.
   std::string DescribeMatches() const;
@@ -65,8 +66,7 @@ private:
   };
 
   Held Earlier, Later;
-  bool AreMatched = false;
-  ParticleMatches Matches; // of Earlier and Later, if AreMatched
+  std::shared_ptr<const ParticleMatches> Matches; // of Earlier and Later; null: not matched
 };
 
 }
