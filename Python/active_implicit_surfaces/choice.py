@@ -198,13 +198,10 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
     one = vtkThreshold() if is_of_mesh else vtkThresholdPoints()
     kind = "CELLS" if is_of_cells else "POINTS"
     one.SetInputArrayToProcess(0, 0, 0, getattr(vtkDataObject, f"FIELD_ASSOCIATION_{kind}"), _MARK)
-    if is_of_mesh:
-        one.SetLowerThreshold(0.5)
-        one.SetUpperThreshold(1.5)
-        found = output_of(vtkGeometryFilter(), output_of(one, own))
-    else:
-        one.ThresholdByUpper(0.5)
-        found = output_of(one, own)
+    one.SetLowerThreshold(1.0)
+    one.SetUpperThreshold(1.0)
+    found = output_of(one, own)
+    found = output_of(vtkGeometryFilter(), found) if is_of_mesh else found
     for attributes in (found.GetPointData(), found.GetCellData()):
         attributes.RemoveArray(_MARK)
     found.SetFieldData(data.GetFieldData())

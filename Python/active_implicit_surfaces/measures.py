@@ -3,7 +3,7 @@
 >>> from vtkmodules.vtkFiltersSources import vtkCubeSource
 >>> from active_implicit_surfaces.measures import measure
 >>> cube = vtkCubeSource()
->>> cube.Update()
+>>> _ = cube.Update()
 >>> found = measure(cube.GetOutput())
 >>> found["area"], found["volume"], found["pieces"], found["open edges"]
 (6.0, 1.0, 1, 0)
