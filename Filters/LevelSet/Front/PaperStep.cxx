@@ -1,5 +1,6 @@
 #include "Front/PaperStep.h"
 
+#include "Base/Tension.h"
 #include "Front/RowKernels.h"
 #include "Front/SubstepBuffers.h"
 #include "Leaves/Layers.h"
@@ -34,7 +35,7 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
     float* speed = buffers.SpeedOf(i) + 8 * row;
     float squares[8], rates[8] = {}; // curvature * gradient norm
     CentralGradientSquares(u, squares);
-    AddTension(u, 1.f, rates);
+    AddTension<LeafBlock::X, LeafBlock::Y>(u, 1.f, rates);
     for (int z = 0; z < 8; ++z)
     {
       if (!((table[i].Active.Row(row / 8, row % 8) >> z) & 1u))

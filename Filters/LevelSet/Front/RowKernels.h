@@ -129,38 +129,6 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   }
 }
 
-/** next += tensionAt(z) * kappa * |grad u|. kappa: sum of the principal curvatures [1/voxel]. */
-template <class TensionAt>
-ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionAt, float* next)
-{
-  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
-  for (int z = 0; z < 8; ++z)
-  {
-    const float* c = u + z;
-    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
-    const float hxx = c[X] - 2.f * c[0] + c[-X];
-    const float hyy = c[Y] - 2.f * c[0] + c[-Y];
-    const float hzz = c[Z] - 2.f * c[0] + c[-Z];
-    const float hxy = .25f * ((c[X + Y] - c[X - Y]) - (c[-X + Y] - c[-X - Y]));
-    const float hxz = .25f * ((c[X + Z] - c[X - Z]) - (c[-X + Z] - c[-X - Z]));
-    const float hyz = .25f * ((c[Y + Z] - c[Y - Z]) - (c[-Y + Z] - c[-Y - Z]));
-    const float square = gx * gx + gy * gy + gz * gz;
-    const float product = gx * gx * (hyy + hzz) + gy * gy * (hxx + hzz) + gz * gz * (hxx + hyy) -
-      2.f * (gx * gy * hxy + gy * gz * hyz + gx * gz * hxz);
-    // A vanishing gradient has no normal: use the mean over all normals.
-    const float size = std::fabs(hxx) + std::fabs(hyy) + std::fabs(hzz);
-    const bool regular = square > 1e-12f * size * size;
-    const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
-    next[z] += tensionAt(z) * rate;
-  }
-}
-
-ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
-{
-  AddTensionAt(
-    u, [tension](int) ACTIVE_INLINED { return tension; }, next);
-}
-
 /** Limit of |u| [voxels]: no single operation on smaller values overflows. */
 constexpr float UnboundedPotential = 1e12f;
 

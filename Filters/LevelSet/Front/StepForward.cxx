@@ -1,5 +1,6 @@
 #include "Front/StepForward.h"
 
+#include "Base/Tension.h"
 #include "Front/RowKernels.h"
 #include "Front/SubstepBuffers.h"
 #include "Leaves/LeafKernels.h"
@@ -39,7 +40,7 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, un
   }
   if (coefficients.Tension != 0.f)
   {
-    AddTension(u, coefficients.Tension, next);
+    AddTension<LeafBlock::X, LeafBlock::Y>(u, coefficients.Tension, next);
   }
 }
 

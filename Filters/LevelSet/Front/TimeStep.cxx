@@ -1,5 +1,7 @@
 #include "Front/TimeStep.h"
 
+#include "Base/Tension.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,7 +86,7 @@ double StableStep(
 {
   const double rate = TrackingRate(motion, voxelSize, limits) +
     AdvectionRate(std::fabs(penalty.Speed), voxelSize) + penalty.Rate +
-    4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize);
+    TensionRate(motion.Tension, voxelSize);
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
 }
 

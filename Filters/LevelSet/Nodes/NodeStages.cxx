@@ -1,5 +1,6 @@
 #include "Nodes/NodeStages.h"
 
+#include "Base/Tension.h"
 #include "Nodes/LeafPoints.h"
 
 #include <algorithm>
@@ -37,30 +38,6 @@ constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 constexpr float Imbalance = .25f, SlowestShare = .008f;
 /** Weight of tension as a function of bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
-
-/** kappa |grad u| by differences over 2 S nodes, clamped to +-1; 0 where the gradient vanishes. */
-template <int S, int W>
-ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
-{
-  constexpr int X = S * NodeBlock<W>::X, Y = S * NodeBlock<W>::Y, Z = S;
-  const auto at = [c](int offset) ACTIVE_INLINED { return LoadLanes(c + offset); };
-  const Lanes half = AllLanes(.5f / S), whole = AllLanes(1.f / (S * S));
-  const Lanes quarter = AllLanes(.25f / (S * S)), u = at(0);
-  const Lanes gx = half * (at(X) - at(-X)), gy = half * (at(Y) - at(-Y)),
-              gz = half * (at(Z) - at(-Z));
-  const Lanes xx = whole * (at(X) - u - u + at(-X)), yy = whole * (at(Y) - u - u + at(-Y)),
-              zz = whole * (at(Z) - u - u + at(-Z));
-  const Lanes xy = quarter * ((at(X + Y) - at(X - Y)) - (at(-X + Y) - at(-X - Y)));
-  const Lanes xz = quarter * ((at(X + Z) - at(X - Z)) - (at(-X + Z) - at(-X - Z)));
-  const Lanes yz = quarter * ((at(Y + Z) - at(Y - Z)) - (at(-Y + Z) - at(-Y - Z)));
-  const Lanes square = gx * gx + gy * gy + gz * gz;
-  const Lanes product = gx * gx * (yy + zz) + gy * gy * (xx + zz) + gz * gz * (xx + yy) -
-    AllLanes(2.f) * (gx * gy * xy + gx * gz * xz + gy * gz * yz);
-  constexpr float flat = 1e-4f;
-  const LaneMask isRegular = square > AllLanes(flat);
-  const Lanes bend = product / Pick(isRegular, square, AllLanes(1.f));
-  return Pick(isRegular, Clamp(bend, 1.f), AllLanes(0.f));
-}
 
 struct DistanceKernel
 {
@@ -156,21 +133,21 @@ private:
     const Lanes wanted = this->FindTension(bulk);
     const float borne = TensionOfStage * static_cast<float>(this->Count);
     const Lanes first = Least(wanted, AllLanes(borne));
-    Lanes pull = first * Bend<1, W>(c);
+    Lanes pull = first * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 1>(c);
     if constexpr (W >= 2)
     {
       const Lanes rest = wanted - first;
       const Lanes second = W == 2 ? rest : Least(rest, AllLanes(4.f * borne));
       if (BitsOf(second > AllLanes(0.f)) != 0)
       {
-        pull += second * Bend<2, W>(c);
+        pull += second * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 2>(c);
       }
       if constexpr (W >= 4)
       {
         const Lanes third = rest - second;
         if (BitsOf(third > AllLanes(0.f)) != 0)
         {
-          pull += third * Bend<4, W>(c);
+          pull += third * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 4>(c);
         }
       }
     }

@@ -1,5 +1,7 @@
 #include "Start/CreateParts.h"
 
+#include "Base/Tension.h"
+
 #include "Start/InitialShape.h"
 #include "Start/NewParts.h"
 #include "Start/PartBand.h"
@@ -25,13 +27,6 @@ InitialFunction ValuesOf(const Target& target)
     target.Evaluate(count, points, { values, slopes.data() });
   };
   return function;
-}
-
-/** Radius below which Tension makes balls of a target vanish: R = 2 sqrt 2 sqrt(Tension /
- * Attraction), see method.md. */
-double FindLeastRadius(const Motion& motion)
-{
-  return motion.Tension > 0.0 ? std::sqrt(8.0 * motion.Tension / motion.Attraction) : 0.0;
 }
 
 /** A band of only the new parts, or only the new voids. */
@@ -167,8 +162,9 @@ bool CreateParts(
 {
   const InitialFunction values = ValuesOf(target);
   const LatticeFunction function(band.VoxelSize, values);
-  const NewParts found({ band.Leaves, band.Tree, band.VoxelSize, function,
-                         band.MaximumNumberOfActiveVoxels, FindLeastRadius(motion) },
+  const NewParts found(
+    { band.Leaves, band.Tree, band.VoxelSize, function, band.MaximumNumberOfActiveVoxels,
+      SmallestBall(motion.Tension, motion.Attraction) },
     target);
   const std::size_t count = found.Count();
   if (count > 0)

@@ -1,6 +1,7 @@
 #include "Surface/SkinMotion.h"
 
 #include "Base/SkinForces.h"
+#include "Base/Tension.h"
 #include "Front/RowKernels.h"
 #include "Front/SamplePoints.h"
 #include "Front/SubstepBuffers.h"
@@ -202,7 +203,7 @@ void FindNodeCurvatures(const LeafTable& table, std::size_t i, float* curvatures
     const float* u = block.Row(row / 8, row % 8);
     float squares[8], rates[8] = {}; // curvature * slope
     CentralGradientSquares(u, squares);
-    AddTension(u, 1.f, rates);
+    AddTension<LeafBlock::X, LeafBlock::Y>(u, 1.f, rates);
     for (int z = 0; z < 8; ++z)
     {
       const float slope = std::sqrt(squares[z]);

@@ -1,9 +1,11 @@
-// Calls of a surface other than VTK's pipeline requests.
+// Calls of a surface other than VTK's pipeline requests, and the check of its inputs.
 
 #include "NarrowBand.h"
 #include "Pipeline/SurfaceRequests.h"
 
 #include "vtkDataObject.h"
+
+#include <stdexcept>
 
 namespace activesurface
 {
@@ -71,6 +73,42 @@ void SurfaceRequests::LoadState(const std::string& file)
   SavedState state;
   RunTogether(this->Ranks, [&] { state = ReadState(file); });
   this->Simulation.SetState(state);
+}
+
+// Throws std::invalid_argument if a target is missing, or if there are two targets or two initial
+// shapes. Throws RankError for composite data: VTK calls each rank once for each of its blocks, so
+// the ranks have no common collective call. Data are composite on all ranks or on none, so all
+// ranks throw.
+void SurfaceRequests::CheckInputs() const
+{
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  const bool isFunction = inputs.TargetFunction != nullptr;
+  if (isFunction && this->Target.IsConnected())
+  {
+    throw std::invalid_argument("There are two targets, TargetFunction and the input of port 0; "
+                                "set TargetFunction to none or disconnect the input.");
+  }
+  if (!isFunction && !this->Target.IsConnected())
+  {
+    throw std::invalid_argument(
+      "There is no target; set TargetFunction, or connect particles, a skeleton of lines, a closed "
+      "mesh or an image to input port 0.");
+  }
+  if (inputs.InitialFunction && this->Initial.IsConnected())
+  {
+    throw std::invalid_argument("There are two initial shapes, InitialFunction and the input of "
+                                "port 1; set InitialFunction to none or disconnect the input.");
+  }
+  if (this->Target.IsStillAt(this->CompositeTarget))
+  {
+    throw RankError("The input is a composite data set of levels, which cannot be a "
+                    "target; make one image of it (vtkResampleToImage).");
+  }
+  if (this->Initial.IsStillAt(this->CompositeInitial))
+  {
+    throw RankError("The input of port 1 is a composite data set, which is no initial "
+                    "shape; extract or merge its blocks to one mesh or image.");
+  }
 }
 
 }

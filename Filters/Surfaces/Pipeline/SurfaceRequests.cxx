@@ -2,7 +2,6 @@
 
 #include "Base/TimeSteps.h"
 #include "Pipeline/Compatibility.h"
-#include "Pipeline/GivenShapes.h"
 #include "Pipeline/PublishedInformation.h"
 #include "Pipeline/RankedRequest.h"
 #include "Pipeline/SkinArrays.h"
@@ -211,14 +210,6 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->Initial.RequestFirst(initial);
   }
-}
-
-void SurfaceRequests::CheckInputs() const
-{
-  CheckShapes(this->Simulation.GetSettings().Inputs,
-    { this->Target.IsConnected(), this->Initial.IsConnected(),
-      this->Target.IsStillAt(this->CompositeTarget),
-      this->Initial.IsStillAt(this->CompositeInitial) });
 }
 
 // Stores the inputs' MTimes after an update, even a failed one. Some algorithms modify themselves

@@ -1,6 +1,7 @@
 #include "Simulation/MotionDriver.h"
 
 #include "Base/Obstacle.h"
+#include "Base/Tension.h"
 #include "Simulation/MotionWarnings.h"
 #include "Simulation/SurfaceStart.h"
 #include "Targets/FunctionSampler.h"
@@ -56,10 +57,6 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
-// Automatic tension, in units of Attraction * (half of the particles' spacing)^2. TensionWeighting
-// reduces the tension to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx).
-constexpr double TensionOfSpacing = 1.0 / 2.0;
-
 // Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
 // are repeated in the whole margin, so particles at the walls have all of their neighbours.
 constexpr double ShareOfMargin = 0.5;
@@ -221,8 +218,7 @@ void MotionDriver::UseNodes(double attraction, Motion& motion) const
   motion.Transport = law.Transport;
   if (this->Settings.HasAutomaticTension())
   {
-    const double r = 0.5 * this->Shapes.FindSpacing();
-    motion.Tension = TensionOfSpacing * attraction * r * r;
+    motion.Tension = AutomaticTension(attraction, this->Shapes.FindSpacing());
   }
 }
 

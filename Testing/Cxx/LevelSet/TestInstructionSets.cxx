@@ -1,6 +1,7 @@
 // The terms of the evolution equation are bitwise identical with every instruction set. They are
 // compiled here for several sets, as in the library, and compared on rows of random potentials.
 
+#include "Base/Tension.h"
 #include "Front/RowKernels.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ ACTIVE_ALWAYS_INLINE void StepRow(const Scene& scene, Row& next)
   const float* u = scene.Block.Row(3, 4);
   std::copy_n(u, 8, next.begin());
   AddTransport(u, scene.Speed.data(), .37f, scene.Relaxation, next.data());
-  AddTension(u, .21f, next.data());
+  AddTension<LeafBlock::X, LeafBlock::Y>(u, .21f, next.data());
   Row slopes;
   CentralGradientSquares(u, slopes.data());
   for (int z = 0; z < 8; ++z)
