@@ -19,7 +19,10 @@ constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
 constexpr const char* OutsideName = "active_history_outside"; // not in files of older versions
 constexpr const char* OriginName = "active_origin";           // only if it is not 0
-constexpr const char* SpacingName = "active_spacing";         // only if it was estimated
+constexpr const char* SpacingName = "active_spacing";         // only if it is known
+constexpr const char* ReachName = "active_reach";             // only if there is a domain
+constexpr const char* LowName = "active_bounds_low";          // likewise
+constexpr const char* HighName = "active_bounds_high";
 
 template <class Value>
 Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
@@ -94,14 +97,35 @@ void ReadOutside(const openvdb::GridBase& grid, std::vector<HistoryRow>& rows)
   }
 }
 
-double ReadSpacing(const openvdb::GridBase& grid)
+// Returns 0 if there is no such number.
+double ReadLength(const openvdb::GridBase& grid, const char* name)
 {
-  const auto spacing = grid.getMetadata<openvdb::DoubleMetadata>(SpacingName);
-  if (spacing && !(spacing->value() > 0.0 && std::isfinite(spacing->value())))
+  const auto length = grid.getMetadata<openvdb::DoubleMetadata>(name);
+  if (length && !(length->value() > 0.0 && std::isfinite(length->value())))
   {
-    throw std::runtime_error("its spacing is damaged");
+    throw std::runtime_error(std::string("its ") + name + " is damaged");
   }
-  return spacing ? spacing->value() : 0.0;
+  return length ? length->value() : 0.0;
+}
+
+void ReadDomain(const openvdb::GridBase& grid, SavedState& state)
+{
+  state.Reach = ReadLength(grid, ReachName);
+  if (state.Reach == 0.0)
+  {
+    return;
+  }
+  const auto low = ReadMetadata<openvdb::Vec3d>(grid, LowName);
+  const auto high = ReadMetadata<openvdb::Vec3d>(grid, HighName);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    state.Bounds[2 * axis] = low[axis];
+    state.Bounds[2 * axis + 1] = high[axis];
+    if (!std::isfinite(low[axis]) || !std::isfinite(high[axis]) || low[axis] > high[axis])
+    {
+      throw std::runtime_error("its bounds are damaged");
+    }
+  }
 }
 
 }
@@ -123,6 +147,13 @@ openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
   {
     grid->insertMeta(SpacingName, openvdb::DoubleMetadata(state.Spacing));
   }
+  if (state.Reach > 0.0)
+  {
+    const double* bounds = state.Bounds;
+    grid->insertMeta(ReachName, openvdb::DoubleMetadata(state.Reach));
+    grid->insertMeta(LowName, openvdb::Vec3DMetadata({ bounds[0], bounds[2], bounds[4] }));
+    grid->insertMeta(HighName, openvdb::Vec3DMetadata({ bounds[1], bounds[3], bounds[5] }));
+  }
   return grid;
 }
 
@@ -137,7 +168,8 @@ SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
   state.Time = ReadMetadata<double>(grid, TimeName);
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
   ReadOutside(grid, state.History);
-  state.Spacing = ReadSpacing(grid);
+  state.Spacing = ReadLength(grid, SpacingName);
+  ReadDomain(grid, state);
   return state;
 }
 

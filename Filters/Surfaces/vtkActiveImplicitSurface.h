@@ -725,7 +725,8 @@ public:
   /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
    * step up to the time of the last update. LoadState loads it into a filter with the same
    * properties and inputs. Times from that of the state on then continue from there, bitwise
-   * identically. Return false, with an error, if there is no state, or reading or writing fails. */
+   * identically. With Advance, the first frame after LoadState is that of the saved time. Return
+   * false, with an error, if there is no state, or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
@@ -733,14 +734,16 @@ public:
   /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
    * last one. The result is bitwise identical to that over the finished series. The frame becomes
    * the input of port 0; it may be the same object with new contents. The first frame is at
-   * StartTime, whatever its dt. GetOutput() is at the newest frame, whatever time is requested. A
-   * property that restarts the motion restarts it at that frame. Velocities do not use the next
-   * frame. Returns false, with an error, if there is no skin. A refused frame changes nothing. A
-   * frame at which the motion stopped before its end (an abort, MaximumNumberOfActiveVoxels)
-   * counts: Update() or the next frame resumes. Range of dt: > 0, finite. */
+   * StartTime, or at the time of a loaded state, whatever its dt. GetOutput() is at the newest
+   * frame, whatever time is requested. A property that restarts the motion restarts it at that
+   * frame. Velocities do not use the next frame. Returns false, with an error, if there is no skin.
+   * A refused frame changes nothing. A frame at which the motion stopped before its end (an abort,
+   * MaximumNumberOfActiveVoxels) counts: Update() or the next frame resumes. Range of dt: > 0,
+   * finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
-  /** Restarts the motion: at the next update, or at StartTime with the next Advance. */
+  /** Restarts the motion: at the next update, or at StartTime with the next Advance. Discards a
+   * loaded state. */
   void ResetTrajectory();
 
   /** Sets PaperScheme on, EXPLICIT, SHIFTED, CENTRAL, NormalizeTarget off and SUM, as the paper. */

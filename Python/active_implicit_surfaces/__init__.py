@@ -60,7 +60,7 @@ if _HAS_IO:
 _FUNCTIONS = {
     "ActiveSurfaceWarning": "messages",
     "Frame": "runner",
-    "LiveSurface": "api",
+    "LiveSurface": "live",
     "ParticleSeries": "series",
     "frames": "api",
     "history": "histories",

@@ -1,4 +1,4 @@
-"""Functions that make skins over particles: one frame, a series, a running simulation."""
+"""Functions that make skins over particles: one frame, or a series."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, array_names, as_particles, copy_of, like, usual_ids
-from .messages import listening, warn
+from .messages import warn
 from .periodic import with_periodic_bounds
 from .presets import (
     apply_preset,
@@ -224,89 +224,6 @@ class frames(Skins):
         if self._atoms:
             self._atoms.add_arrays(skin, self.times[step])
         return skin
-
-
-class LiveSurface:
-    """Skin over a running simulation: `advance` passes the particles of a frame, returns its skin.
-
-    A call costs one frame, whatever the number of earlier frames. The skins are bitwise identical
-    to those that `frames` makes of the finished series.
-
-    Parameters
-    ----------
-    start : float
-        Time of the first frame [time]. Default: 0.
-    preset, arrays, **options
-        See `frames`.
-
-    Attributes
-    ----------
-    surface : vtkActiveImplicitSurface
-    time : float or None
-        Time of the last skin; None before the first one.
-
-    Examples
-    --------
-    >>> import numpy
-    >>> import active_implicit_surfaces as active
-    >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
-    >>> surface = active.LiveSurface(particle_spacing=1)
-    >>> for step in range(3):
-    ...     skin = surface.advance(grid + [0, 0.5 * step, 0], 0.1)
-    >>> f"at {surface.time:.1f} its centre is at {skin.GetCenter()[1]:.1f}"
-    'at 0.2 its centre is at 3.5'
-    """
-
-    def __init__(
-        self,
-        *,
-        start: float = 0.0,
-        preset: str | None = None,
-        arrays: dict[str, str] | None = None,
-        **options: Any,
-    ) -> None:
-        for keyword in options:
-            properties.find(keyword)
-        self.surface = vtkActiveImplicitSurface()
-        self.surface.SetStartTime(float(start))
-        self.time: float | None = None
-        self._options = {"preset": preset, "arrays": arrays, **options}
-
-    def advance(self, particles: Any, dt: float, **arrays: Any) -> Any:
-        """Advances by `dt` to these particles and returns their skin.
-
-        Parameters
-        ----------
-        particles
-            See `skin`. Do not change their arrays before the next call: the filter reads them
-            uncopied.
-        dt : float
-            Time since the last call [time], more than 0. The first call is at `start`.
-        **arrays
-            Point arrays: ``ids=``, ``velocities=``, or any name.
-
-        Returns
-        -------
-        vtkPolyData
-
-        Raises
-        ------
-        ValueError
-            Wrong `dt`, or an error of the filter; the next call continues from the last skin.
-        """
-        if not 0 < dt < float("inf"):
-            raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
-        cloud = as_particles(particles, **arrays)
-        if self.time is None:
-            first = TemporalSource(lambda step: cloud, [self.surface.GetStartTime()])
-            configure(self.surface, first, interval=dt, **self._options)
-        with listening(self.surface) as heard:
-            self.surface.Advance(cloud, dt)
-        heard.raise_error(ValueError)
-        warn(*heard.warnings)
-        skin = copy_of(self.surface.GetOutput())
-        self.time = skin.GetInformation().Get(vtkDataObject.DATA_TIME_STEP())
-        return like(particles, skin)
 
 
 def configure(

@@ -35,6 +35,9 @@ public:
   // Uses the times of pushed frames as the steps.
   void Read(const std::vector<double>& pushed);
 
+  // Continues a sequence of times from a target that offers each time only once: `times` were
+  // requested before.
+  void Resume(const std::vector<double>& times) { this->Requested = times; }
   // Call this before requesting data for a time. Returns true if the target starts a new sequence
   // of times, so that earlier data have to be discarded.
   bool Request(vtkInformation* target, double time);

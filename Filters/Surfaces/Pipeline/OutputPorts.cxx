@@ -74,11 +74,8 @@ void AttachState(const OutputProperties& properties, const SurfaceSimulation& si
   const RequestedTime& time = simulation.GetRequestedTime();
   PublishTime(data, time.Time, settings.IsEquilibrium());
   auto attached = std::make_shared<AttachedState>();
-  attached->State.Band = simulation.ShareWholeBand();
+  attached->State = simulation.GetRequestedState();
   attached->Skin = simulation.ShareBand();
-  attached->State.Origin = simulation.GetOrigin();
-  attached->State.Time = time.Time.Value;
-  attached->State.History = simulation.GetHistory();
   attached->WholeArrays = arrays;
   attached->IsAtStep = simulation.IsAtStep();
   attached->Step = time.Step;

@@ -96,10 +96,18 @@ double PushedFrames::FindNextTime(const SurfaceProperties& properties, double dt
   return next;
 }
 
-void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
+void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
+  const std::vector<double>& resumed)
 {
   Check(properties, data, dt);
-  this->Times.push_back(this->FindNextTime(properties, dt));
+  if (resumed.empty())
+  {
+    this->Times.push_back(this->FindNextTime(properties, dt));
+  }
+  else
+  {
+    this->Times = resumed;
+  }
   this->Before = this->Newest;
   this->Newest = Share(data);
   this->Show(this->Newest);

@@ -34,9 +34,11 @@ public:
   bool AreConnected() const;
 
   // Makes the data the newest frame, dt after the previous frame, and connects port 0 to the
-  // frames. The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument
-  // for invalid data or dt, and then changes nothing.
-  void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
+  // frames. The first frame is at StartTime. resumed: times of a loaded state, whose last one is
+  // that of the data; or empty. Shares the data's arrays. Throws std::invalid_argument for invalid
+  // data or dt, and then changes nothing.
+  void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
+    const std::vector<double>& resumed = {});
   // Removes the newest frame; the previous one is the newest again.
   void Withdraw();
   // Makes the newest frame the first one.

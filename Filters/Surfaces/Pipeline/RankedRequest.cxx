@@ -71,7 +71,7 @@ bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   const SurfaceSimulation& simulation, int port, PipelineTime time)
 {
   const std::string request = DescribeRequest(properties, simulation.GetSettings(), port, time);
-  const std::string own = request + '\0' + simulation.DescribeState();
+  const std::string own = request + '\0' + simulation.Describe();
   const std::vector<Bytes> all = ranks.Exchange({ own.begin(), own.end() });
   const std::string first = ToString(all.front());
   bool areAtOnePlace = true;

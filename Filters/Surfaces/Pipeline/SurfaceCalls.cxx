@@ -33,13 +33,13 @@ void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* d
   {
     this->Target.Check(data); // rejected data must not replace another input
   }
-  this->Pushed.Push(properties, data, dt);
+  this->Pushed.Push(properties, data, dt, this->Simulation.ListTimesToResume());
 }
 
 void SurfaceRequests::Restart()
 {
   this->Update.Refuse("ResetTrajectory");
-  this->Simulation.Reset();
+  this->Simulation.StartAnew();
   this->Pushed.Stop();
 }
 
@@ -73,6 +73,7 @@ void SurfaceRequests::LoadState(const std::string& file)
   SavedState state;
   RunTogether(this->Ranks, [&] { state = ReadState(file); });
   this->Simulation.SetState(state);
+  this->Clock.Resume(this->Simulation.ListTimesToResume());
 }
 
 // Throws std::invalid_argument if a target is missing, or if there are two targets or two initial

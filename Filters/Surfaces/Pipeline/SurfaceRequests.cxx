@@ -100,7 +100,8 @@ bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformat
     return !isEquilibrium;
   }
   this->Clock.Read(this->Pushed.GetTimes());
-  if (!this->Simulation.IsContinuedBy(this->FindSettings(properties)))
+  if (!this->Simulation.IsContinuedBy(this->FindSettings(properties)) &&
+    this->Simulation.ListTimesToResume().empty())
   {
     this->Pushed.ForgetPast(); // past frames are unavailable
     this->Clock.Read(this->Pushed.GetTimes());

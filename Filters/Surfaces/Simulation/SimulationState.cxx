@@ -8,19 +8,38 @@
 namespace activesurface
 {
 
-SavedState SurfaceSimulation::GetState() const
+SavedState SurfaceSimulation::MakeState(
+  const std::shared_ptr<const NarrowBand>& band, PipelineTime time, std::size_t rows) const
 {
   SavedState state;
-  if (this->Path.HasBegun() && !this->Path.IsUnfinished() && !this->Settings.IsEquilibrium())
+  state.Band = band;
+  state.Origin = this->GetOrigin();
+  state.Time = time.Value;
+  state.History = this->History.GetRows(rows);
+  state.Spacing = this->Shapes.FindSpacing();
+  if (const SurfaceDomain* domain = this->Shapes.GetDomain())
   {
-    const int step = this->Path.GetStep();
-    state.Band = this->Path.Share({ step, this->Settings.GetStep(step), false });
-    state.Origin = this->GetOrigin();
-    state.Time = this->Settings.GetStep(step).Value;
-    state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
-    state.Spacing = this->Shapes.GetEstimatedSpacing();
+    std::copy_n(domain->Bounds, 6, state.Bounds);
+    state.Reach = domain->Reach;
   }
   return state;
+}
+
+SavedState SurfaceSimulation::GetState() const
+{
+  if (!this->Path.HasBegun() || this->Path.IsUnfinished() || this->Settings.IsEquilibrium())
+  {
+    return {};
+  }
+  const int step = this->Path.GetStep();
+  const PipelineTime time = this->Settings.GetStep(step);
+  return this->MakeState(
+    this->Path.Share({ step, time, false }), time, static_cast<std::size_t>(step) + 1);
+}
+
+SavedState SurfaceSimulation::GetRequestedState() const
+{
+  return this->MakeState(this->ShareWholeBand(), this->Requested.Time, this->CountRows());
 }
 
 SavedState SurfaceSimulation::GatherState() const
@@ -40,6 +59,52 @@ void SurfaceSimulation::SetState(const SavedState& state)
   this->LoadedIsNew = true;
 }
 
+void SurfaceSimulation::StartAnew()
+{
+  this->Reset();
+  this->Loaded = SavedState();
+  this->LoadedIsNew = false;
+}
+
+std::vector<double> SurfaceSimulation::ListTimesToResume() const
+{
+  std::vector<double> times;
+  if (this->Loaded.Band && !this->Path.HasBegun())
+  {
+    for (const HistoryRow& row : this->Loaded.History)
+    {
+      times.push_back(row.Time);
+    }
+  }
+  return times;
+}
+
+// Returns the step of the first frame that the surface needs. A forward-only input has no earlier
+// frame than that of a loaded state.
+int SurfaceSimulation::FindFirstStep() const
+{
+  const SurfaceInputs& inputs = this->Settings.Inputs;
+  return this->Loaded.Band && inputs.OnlyForward && !inputs.Steps.empty()
+    ? this->Settings.FindRequested({ this->Loaded.Time }).Step
+    : 0;
+}
+
+// The first frame, from which the domain would follow, is unavailable.
+void SurfaceSimulation::UseLoadedDomain()
+{
+  const SavedState& state = this->Loaded;
+  if (state.Reach > 0.0 && this->FindFirstStep() > 0 && !this->Settings.HasBounds() &&
+    !this->Shapes.GetDomain())
+  {
+    SurfaceDomain domain;
+    domain.Origin = state.Origin;
+    std::copy_n(state.Bounds, 6, domain.Bounds);
+    domain.VoxelSize = state.Band->GetVoxelSize();
+    domain.Reach = state.Reach;
+    this->Shapes.SetDomain(domain, state.Spacing);
+  }
+}
+
 // Requires StartTarget, which prepares the first frame for the voxel size of the domain.
 void SurfaceSimulation::RestoreLoaded()
 {
@@ -49,8 +114,9 @@ void SurfaceSimulation::RestoreLoaded()
   // A vanished skin keeps the time at which it vanished.
   const bool isOfAnotherTime =
     !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
+  const double given = this->Settings.VoxelSize;
   const bool isOfAnotherLattice = band.GetVoxelSize() != this->FindDomain()->VoxelSize ||
-    this->Loaded.Origin != this->GetOrigin();
+    (given > 0.0 && band.GetVoxelSize() != given) || this->Loaded.Origin != this->GetOrigin();
   if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
@@ -70,10 +136,14 @@ Motion SurfaceSimulation::GetMotion() const
     this->Path.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
 }
 
+std::size_t SurfaceSimulation::CountRows() const
+{
+  return this->Settings.IsEquilibrium() ? 2 : static_cast<std::size_t>(this->Requested.Step) + 1;
+}
+
 std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
 {
-  return this->History.GetRows(
-    this->Settings.IsEquilibrium() ? 2 : static_cast<std::size_t>(this->Requested.Step) + 1);
+  return this->History.GetRows(this->CountRows());
 }
 
 }

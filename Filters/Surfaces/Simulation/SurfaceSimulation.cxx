@@ -56,6 +56,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
     this->Settings = settings;
   }
   this->LoadedIsNew = false;
+  this->UseLoadedDomain();
 }
 
 void SurfaceSimulation::Reset()
@@ -142,9 +143,10 @@ int SurfaceSimulation::FindMissingStep() const
   {
     return -1;
   }
-  if ((step < 0 || !moves) && !this->Shapes.Has(0))
+  const int first = this->FindFirstStep();
+  if ((step < 0 || !moves) && !this->Shapes.Has(first))
   {
-    return 0;
+    return first;
   }
   const bool hasArrived =
     step == this->Requested.Step && (!this->Requested.Between || this->Path.IsAt(this->Requested));
@@ -276,7 +278,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
     }
     if (this->Loaded.Band && domain)
     {
-      this->Shapes.StartTarget();
+      this->Shapes.StartTarget(this->FindFirstStep());
       this->RestoreLoaded();
       this->Rewind(this->Requested.Step);
       if (this->Path.HasBegun())
@@ -289,6 +291,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   catch (...)
   {
     this->Reset();
+    this->LoadedIsNew = this->Loaded.Band != nullptr; // the user may correct the settings
     throw;
   }
 }

@@ -93,6 +93,9 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
   bool HasBegun() const { return this->Path.HasBegun(); }
+  // Returns the times of the history of a loaded state from which the surface is still to begin;
+  // the last one is the time of the state. Empty if there is no such state.
+  std::vector<double> ListTimesToResume() const;
   // Returns true if a motion that has begun continues with these settings.
   bool IsContinuedBy(const SurfaceSettings& settings) const
   {
@@ -129,7 +132,7 @@ public:
 
   // Describes the time of the surface and the frames that the surface needs. Ranks compare this
   // text, which is the same on all ranks while their states agree.
-  std::string DescribeState() const
+  std::string Describe() const
   {
     return this->Path.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
       ", after " + std::to_string(this->LastStepAdded) + (this->WantsInitial() ? ", initial" : "") +
@@ -219,11 +222,15 @@ public:
   // there is no such state: before the start, after an interruption, and with EvolutionMode
   // EQUILIBRIUM.
   SavedState GetState() const;
+  // Returns the state at the requested time, which may lie between steps.
+  SavedState GetRequestedState() const;
   // Gathers the state of all ranks on rank 0; others get no band. Collective.
   SavedState GatherState() const;
   // Resets the simulation. From now on the surface starts with this state. A change of settings
   // after the next Configure discards the state.
   void SetState(const SavedState& state);
+  // Resets the simulation, and discards a loaded state.
+  void StartAnew();
 
   // Rows of the steps up to the requested time.
   std::vector<HistoryRow> GetHistory() const;
@@ -246,6 +253,11 @@ private:
   }
   void ResetTrajectory();
   void Rewind(int step);
+  SavedState MakeState(
+    const std::shared_ptr<const NarrowBand>& band, PipelineTime time, std::size_t rows) const;
+  std::size_t CountRows() const; // of the history up to the requested time
+  void UseLoadedDomain();
+  int FindFirstStep() const;
   void RestoreLoaded();
   bool HasFramesFrom(int step) const;
   ArrayFrames FindArrayFrames() const

@@ -338,14 +338,14 @@ void TargetBuilder::MakeTarget()
   this->Target = std::move(moving);
 }
 
-void TargetBuilder::StartTarget()
+void TargetBuilder::StartTarget(int step)
 {
-  this->UseFramesFrom(-1);
+  this->UseFramesFrom(step - 1);
   this->MakeTarget();
   if (this->Moving)
   {
-    this->Prepare(0, *this->Frames.Find(0));
-    this->Moving->MoveAlong(0, 0.0, 0.0);
+    this->Prepare(step, *this->Frames.Find(step));
+    this->Moving->MoveAlong(step, 0.0, 0.0);
   }
 }
 

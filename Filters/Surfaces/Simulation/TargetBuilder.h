@@ -94,13 +94,14 @@ public:
   // follows from the spacing.
   double FindMargin(int step) const;
 
-  // Returns the estimated spacing of the particles [length]; 0: no estimate. KeepEstimatedSpacing
-  // sets a missing estimate to that of a loaded state, whose first frames may not be read again.
-  double GetEstimatedSpacing() const { return this->EstimatedSpacing; }
+  // Sets a missing estimate of the spacing to that of a loaded state, whose first frames may not be
+  // read again.
   void KeepEstimatedSpacing(double spacing)
   {
     this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
   }
+  // Sets domain and spacing to those of a loaded state if the first frame is unavailable.
+  void SetDomain(const SurfaceDomain& domain, double spacing);
 
   // Number and spacing of the particles of a frame.
   struct SpacingSample
@@ -138,8 +139,8 @@ public:
   // Returns true if the first frame is missing or empty, and there is no other initial shape.
   bool StartsOnNothing() const;
 
-  // Makes a new target, at the first frame. Requires FindDomain; precedes GetTarget.
-  void StartTarget();
+  // Makes a new target, at the frame of a step. Requires FindDomain; precedes GetTarget.
+  void StartTarget(int step = 0);
   // Prepares the target for evaluation at points.
   void CompleteTarget();
 

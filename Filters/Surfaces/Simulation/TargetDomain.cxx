@@ -58,6 +58,14 @@ const SurfaceDomain* TargetBuilder::FindDomain()
   return this->DomainKnown ? &this->Domain : nullptr;
 }
 
+void TargetBuilder::SetDomain(const SurfaceDomain& domain, double spacing)
+{
+  this->Domain = domain;
+  this->DomainKnown = true;
+  this->KeepEstimatedSpacing(spacing);
+  this->MoveToOrigin();
+}
+
 void TargetBuilder::MoveToOrigin()
 {
   for (const int step : { this->Frames.FindLastStep() - 1, this->Frames.FindLastStep() })
