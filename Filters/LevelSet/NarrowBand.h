@@ -14,15 +14,16 @@
  * * VoxelSize, so lattices of the same VoxelSize coincide in all runs. The grid's own transform is
  * the identity, because OpenVDB rejects voxels below about 1e-5 in any unit.
  *
- * Layer 0 consists of the corners of the voxels that the surface crosses, layer m of the
- * 6-neighbours of layer m - 1. Layers 0..2 are active in the grid. Layers 3 and 4 are ghosts:
- * inactive values in the same leaves, extrapolated from inside after every substep. A ghost whose
- * whole stencil lies in the layers, at a medial axis, is a "pocket"; pockets are active. All other
- * nodes are + or - Far; only their sign has a meaning. Inside the layers the gradient norm of u is
- * about 0.5 to 1.5; output distances are u divided by this norm.
+ * Layer 0 consists of the corners of the voxels that the surface crosses. Layer m consists of the
+ * 6-neighbours of layer m - 1 that are in no smaller layer. Layers 0..2 are active in the grid.
+ * Layers 3 and 4 are ghosts: inactive values in the same leaves, extrapolated from smaller layers
+ * after every substep. Exception: a node of layer 3 or 4 whose whole stencil lies in the layers, at
+ * a medial axis, is active and is called a "pocket". All other nodes are + or - Far; only their
+ * sign has a meaning. Inside the layers the gradient norm of u is about 0.5 to 1.5; output
+ * distances are u divided by this norm.
  *
- * REPRODUCIBILITY: the potential after Advance depends, bitwise, only on the times and the motion:
- * not on the number of threads, nor on previous contents of memory.
+ * REPRODUCIBILITY: the same start, times, motion and target give a bitwise identical potential,
+ * with any number of threads and any previous contents of memory.
  */
 #ifndef NarrowBand_h
 #define NarrowBand_h
@@ -74,7 +75,8 @@ public:
   /**
    * Pack returns the state as bytes, lossless (see State/PackedBand.h). Unpack returns the band
    * restored from these bytes. Further motion of the restored band is bitwise identical. The bytes
-   * are for this process, not for files. Does not include GetWork. part: SharePart of the band.
+   * are for this process, not for files, and do not include GetWork. part: SharePart of the packed
+   * band.
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(
@@ -83,9 +85,9 @@ public:
 
   ///@{
   /**
-   * Bands partitioned among ranks. After SetDomain the next frames of the node scheme are parts of
-   * one band: Start and Advance are then collective, and areas, volumes and numbers of nodes are
-   * totals of all ranks. domain: null if the band is whole.
+   * Bands partitioned among ranks. After SetDomain, the next frame of the node scheme makes this
+   * band one rank's part of a common band. Start and Advance are then collective, and areas,
+   * volumes and numbers of nodes are totals of all ranks. domain: null if the band is whole.
    */
   void SetDomain(const std::shared_ptr<const Domain>& domain);
   /** Null if the band is whole. */
@@ -104,10 +106,9 @@ public:
   void SetNumberOfThreads(int threads);
 
   /**
-   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
-   * would have more active nodes, or if a shape that fills the bounds would. Advance throws after a
-   * substep in which the band exceeds the limit, and before any further substep while the band
-   * exceeds it.
+   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band,
+   * or a shape that fills the bounds, would have more active nodes. Advance throws after a substep
+   * in which the band exceeds the limit, and before any further substep while the band exceeds it.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 
@@ -115,17 +116,17 @@ public:
    * Starts at a time with the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax).
    * The surface is closed at faces of the bounds where the function is negative. Memory is
    * proportional to the surface and two planes of the lattice. A function without zero set gives an
-   * empty surface. Throws std::invalid_argument for bounds that are empty, not finite or too large
-   * for the voxel size, std::runtime_error beyond the maximum number of active voxels. Returns
-   * false if `progress` cancelled it; the surface is then empty.
+   * empty surface. Throws std::invalid_argument if the bounds are empty, not finite or too large
+   * for the voxel size. Throws std::runtime_error beyond the maximum number of active voxels.
+   * Returns false if `progress` cancelled the start; the surface is then empty.
    */
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
   /**
-   * Sets the potential to the target at the time, after attraction and tension of this duration:
-   * the first frame is then as smooth as the following frames. The target has to have nodes.
-   * bounds: only their size is used. Throws like Advance.
+   * Sets the potential to the target at `time`, smoothed by attraction and tension of this
+   * duration: the first frame is then as smooth as the following frames. Target::GetNodes must not
+   * be null. bounds: only their size is used. Throws like Advance.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
@@ -139,8 +140,8 @@ public:
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
   /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, so
-   * that the first frame has this value. Does nothing without such a control. The areas and
-   * volumes then count as those at the start. */
+   * that the first frame has this value. Does nothing without such a control. The new area and
+   * volume count as those at the start. */
   void RestoreTargets(const Motion& motion);
 
   /**

@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
-// Construction of the table. On each face, one segment cuts off every run of inside corners. A walk
-// around the face enters the run at one end of the segment, and leaves the run at the other end. A
-// crossed edge lies on two faces. A segment enters the edge on one face, and a segment leaves the
-// edge on the other face, so the segments form closed loops. The loops are then filled with
-// triangles.
+// Construction of the table. On each face, one segment cuts off every run of inside corners. The
+// segment is directed: from the edge at which a walk around the face enters the run, to the edge at
+// which the walk leaves the run. A crossed edge lies on two faces: it ends a segment of one face,
+// and begins a segment of the other face. The segments therefore form closed loops, which are
+// filled with triangles.
 //
-// A diagonal between two edges of one face is never used: the neighbour across that face might draw
-// the same diagonal, and the mesh edge would have four triangles. Other diagonals run through the
+// No diagonal connects two edges of one face: the neighbour voxel across the face might use the
+// same diagonal, which would then belong to four triangles. Other diagonals run through the
 // interior of the voxel, where no neighbour can meet them. Every loop of all 256 cases (3 to 7
 // edges) can be filled in this way without an extra vertex; TestCubeTriangles checks the triangles
 // of all cases.

@@ -3,11 +3,12 @@
  * the 256 sign patterns. A triangle's vertices are edges of the voxel: the polygoniser puts one
  * shared mesh vertex on each lattice edge whose ends differ in sign.
  *
- * Laid over a lattice of any signs, the triangles form a mesh in which, off the outer boundary,
- *  - each mesh edge belongs to exactly two triangles, which run through it in opposite directions,
+ * Over a lattice of any signs, the triangles form a mesh with these properties, except at the
+ * boundary of the lattice:
+ *  - each mesh edge belongs to exactly two triangles, in opposite directions along the edge,
  *  - the triangles around a vertex form one closed fan,
  *  - triangles are counter-clockwise seen from outside (normals point from inside to outside).
- * The same is true for ambiguous faces (two diagonally opposite inside corners): the two inside
+ * This is true for ambiguous faces (two diagonally opposite inside corners) too: their inside
  * corners are always separated. The rule depends only on the signs of the face, so both voxels of a
  * face cut the face in the same way.
  *

@@ -5,10 +5,10 @@
  * corrected):
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
- * v: the target's velocity, n: the outward normal, w: weight of tension. In explicit substeps v is
- * 0 and w is 1. kappa = div n is the SUM of the principal curvatures (2/r on a sphere), so a sphere
- * with only Tension obeys r^2 = r0^2 - 4 Tension t. A and V are the area and the volume of the
- * skin.
+ * F - iso: the target's value (Target.h), v: the target's velocity, n: the outward normal, w:
+ * weight of tension. In explicit substeps v is 0 and w is 1. kappa = div n is the SUM of the
+ * principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 = r0^2 - 4
+ * Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to conserve.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -24,8 +24,8 @@ namespace activesurface
 
 class Obstacle;
 
-/** Control of area or volume: no control; a penalty speed proportional to the deficit, as in the
- * paper; or exact control by a uniform displacement after each substep. */
+/** Control of area or volume. Penalty: a speed proportional to the deficit, as in the paper. Exact:
+ * a uniform displacement after each substep. */
 enum class Control
 {
   None,
@@ -34,8 +34,9 @@ enum class Control
 };
 
 /**
- * Points at which the target is evaluated for the speed of a node: at the crossed edges, from which
- * speeds are extended; at the node itself; or at the closest point of the surface.
+ * Points at which the target is evaluated for the speed of a node. Shifted: on the crossed edges,
+ * from which speeds are extended. Node: the node itself. ClosestPoint: the closest point of the
+ * surface.
  */
 enum class TargetEvaluation
 {
@@ -44,8 +45,8 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** Scheme of a substep: forward Euler within the stable step of the fastest part; or one step for
- * the whole interval, at nodes near the target's surface (see nodes.md). */
+/** Scheme of a substep. Explicit: forward Euler within the stable step of the fastest part. Nodes:
+ * one step for the whole interval, at nodes near the target's surface (see nodes.md). */
 enum class TimeIntegration
 {
   Explicit,
@@ -61,7 +62,7 @@ enum class GradientScheme
 
 struct Motion
 {
-  /** Rate at which the surface approaches the target [1/time for a distance-like target]. >= 0. */
+  /** Rate at which the surface approaches the target [1/time if the target is a distance]. >= 0. */
   double Attraction = 1.0;
 
   /** Weight of the curvature [length^2/time]. Negative values are backward diffusion and blow up.
@@ -78,9 +79,9 @@ struct Motion
   bool WeightedTension = false;
 
   /**
-   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + the rates
-   * of the penalties). 1 is the largest stable value: 1.08 lets noise grow, 1.2 destroys the
-   * surface.
+   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + the rates of
+   * the penalties); h: voxel size, L: target slope. 1 is the largest stable value: 1.08 lets noise
+   * grow, 1.2 destroys the surface.
    */
   double CFL = 1.0;
 
@@ -88,7 +89,7 @@ struct Motion
   double LongestStep = std::numeric_limits<double>::infinity();
 
   ///@{
-  /** Not both Exact: one displacement cannot restore two numbers. */
+  /** At most one may be Exact: one displacement cannot restore two numbers. */
   Control AreaControl = Control::None;
   Control VolumeControl = Control::None;
   ///@}
@@ -115,11 +116,12 @@ struct Motion
    * reduces distances by a factor e^2 or more in an interval. Penalties are not supported. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
-  /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
+  /** If true, uses the paper's own scheme, for comparison: see PaperStep.h. */
   bool Paper = false;
 
   Walls Box;
-  /** In a periodic box, the node scheme repeats the surface beyond the sides, up to the walls. */
+  /** In a periodic box, the node scheme repeats the surface beyond the sides of the box, up to the
+   * walls. */
   Periods Period;
 
   /**
@@ -169,9 +171,9 @@ struct AdvanceReport
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
   /**
-   * Result of AdvanceToSteadyState: 0 if the speed has met the tolerance, otherwise the fraction of
-   * the surface that moved in the last window (see Displacement.h). NaN before the end of the first
-   * window.
+   * Result of AdvanceToSteadyState: 0 if the speed is within the tolerance, otherwise the fraction
+   * of the surface that moved in the last window of substeps (see Displacement.h). NaN before the
+   * end of the first window.
    */
   double MovingShare = 0.0;
   double MovingDistance = 0.0; //< likewise, mean displacement [voxels]

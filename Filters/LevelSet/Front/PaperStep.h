@@ -1,8 +1,9 @@
 /**
- * The paper's own scheme, for comparison. All its differences make it worse, see front.md.
+ * The paper's own scheme, for comparison. Each difference from this library's scheme makes the
+ * result worse; see front.md.
  *
- * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2). A node is activated when
- *   the surface comes near; its value does not change then. An active node is deactivated when its
+ * - The potential is clamped to the thresholds, +- 3 voxels (section 3.2). A node is activated,
+ *   with its value unchanged, when the surface comes near. An active node is deactivated when its
  *   value reaches a threshold.
  * - The target at a node with crossed edges is the plain mean at their crossings (4.3). For other
  *   nodes, the target is evaluated at the node itself.

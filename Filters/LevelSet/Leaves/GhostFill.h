@@ -1,5 +1,6 @@
 /**
- * Values of the ghosts, and of the nodes that entered the band, by extrapolation from inside.
+ * Values of the ghosts, and of the nodes that entered the band, by extrapolation from smaller
+ * layers.
  *
  * The layers are filled in ascending order. A node of layer m uses only nodes of smaller layers, so
  * the order within a layer does not matter. a_i = |u_i| are the values along each of the six
@@ -7,10 +8,10 @@
  *
  *   a = a1 + g,  g = 2 (a1 - a2) - (a2 - a3) limited to [0, 2 (a1 - a2)],  weight g^2
  *
- * The rays of two nodes and the corners of squares count too (LayerFill) if the weights sum to less
- * than 1 % of the largest (a1 - a2)^2. Three points make tension converge; four would be more exact
- * but are unstable at a steady state. A node that enters the band was not updated by this substep.
- * Its old value would be wrong by 0.1 %, so the node is filled too.
+ * If the weights sum to less than 1 % of the largest (a1 - a2)^2, rays of two nodes and corners of
+ * squares are added (LayerFill). Extrapolation from three points makes tension converge. Four
+ * points would be more exact but are unstable at a steady state. A node that entered the band was
+ * not updated by this substep; its old value would be wrong by 0.1 %.
  */
 #ifndef GhostFill_h
 #define GhostFill_h

@@ -1,18 +1,21 @@
 /**
- * Remaining distance of the surface at a point, along paths between the surface and its target. A
- * path ends at the farthest point of the target that the surface reaches through the given point.
+ * Remaining distance of the surface at a point, along paths between the surface and its target.
+ * Each path ends at the farthest point of the target that the surface reaches through the given
+ * point.
  *
  * T(y) is the distance of a node y from the surface along such paths, d(x,y) the distance between
  * two nodes. The remaining distance at x is
  *
  *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
  *
- * If the path to y passes through x, K is T(y) - T(x); off that path K is smaller. A front of speed
- * K / (remaining time) is flat in any thin part that it fills, and arrives everywhere at once.
+ * If the path to y passes through x, K is T(y) - T(x); off that path K is smaller. A surface of
+ * speed K / (remaining time) is flat in any thin part that the surface fills, and arrives
+ * everywhere at once.
  *
- * Exception: K is d(x,y) if y is in the middle of a vanishing part, and d(x,y) exceeds T(y) - T(x)
- * by less than a tenth. Such a point x is a bump, which has to move farther than its neighbours, as
- * otherwise the bump would grow. Near the surface K is about |F| if the target is a distance.
+ * Exception: K is d(x,y) if y is in the middle of a vanishing part and d(x,y) < 1.1 (T(y) - T(x));
+ * the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump, which would grow
+ * unless it moved farther than its neighbours. Near the surface K is about |F| if the target F is a
+ * distance.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h

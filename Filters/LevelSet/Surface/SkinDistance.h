@@ -1,14 +1,14 @@
 /**
- * Distance of a point from the surface, and its side, from a snapshot of a NarrowBand.
+ * Signed distance of a point from the surface, from a copy of the potential of a NarrowBand.
  *
- * x is in voxels. U(x) is the trilinear interpolation of the potential u. G(x) is the trilinear
- * interpolation of the gradient norm |grad u| at the nodes (central differences; one-sided where a
- * neighbour is beyond the layers). The value is
+ * U(x) and G(x) are the trilinear interpolations of the potential u and of the gradient norm |grad
+ * u| at the nodes. The gradient is by central differences, one-sided where a neighbour is beyond
+ * the layers. The value at x is
  *
  *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
  *
- * The value is a first-order distance: exact at the surface, good within about 1.5 voxels. Nodes
- * beyond all layers count as u = +-HalfWidth with gradient norm 1; norms below 0.05 count as 0.05.
+ * The value is a first-order distance: exact at the surface, good within about 1.5 voxels. Beyond
+ * all layers u is +-HalfWidth and the gradient norm is 1. Gradient norms below 0.05 count as 0.05.
  * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13 voxel.
  *
  * Evaluation needs constant time, allocates nothing and is thread-safe. Memory: two numbers for
@@ -37,9 +37,10 @@ public:
   ~SkinDistance();
 
   /**
-   * Returns the value at a point [world units]. Writes the exact derivatives of the formula unless
-   * gradient is null; they are 0 where the value is clamped. The value is HalfWidth voxels
-   * everywhere if there is no surface. Value and derivatives are NaN if the point is not finite.
+   * Returns the signed distance at a point [world units]. Writes the exact derivatives of the
+   * formula unless gradient is null; derivatives are 0 where the distance is clamped. Without a
+   * surface the distance is HalfWidth voxels everywhere. Distance and derivatives are NaN if the
+   * point is not finite.
    */
   double Evaluate(const double x[3], double* gradient) const;
 
@@ -60,9 +61,8 @@ private:
 /**
  * Writes the signed distance to the surface [world units], negative inside, at the lattice nodes
  * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest. The distance is the
- * potential divided by its gradient norm. This distance is of first order: exact at the surface,
- * good within about 1.5 voxels. The distance is clamped to +-HalfWidth voxels, the value beyond the
- * band.
+ * potential divided by its gradient norm. This first-order distance is exact at the surface, and
+ * good within about 1.5 voxels. It is clamped to +-HalfWidth voxels, the value beyond the band.
  */
 ACTIVELEVELSET_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);
