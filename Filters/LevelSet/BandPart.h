@@ -19,10 +19,11 @@
 namespace activesurface
 {
 
-/** Facts of the whole band, and numbers of the vertices on this rank. */
+/** Totals of all ranks, and the numbers of the vertices on this rank. */
 struct BandPart
 {
-  /** Vertices of a leaf: the number of the first vertex in the whole skin, and their edges. */
+  /** Vertices of a leaf: the number of the first vertex in the whole skin, and the crossed edges.
+   */
   struct LeafVertices
   {
     NodeIndex Origin;

@@ -31,7 +31,8 @@ struct BandState::Move
 namespace
 {
 
-/** Longest substep with an exact control, in stable explicit substeps. */
+/** ControlledBand::Rounds after a frame of the node scheme, which may replace many explicit
+ * substeps. */
 constexpr int RoundsOfLongSteps = 8;
 
 }
@@ -105,7 +106,7 @@ TargetLimits BandState::FollowTarget(
   }
 }
 
-/** Undoes everything since the backup. */
+/** Restores the band of the backup, if there is one. */
 void BandState::Restore()
 {
   if (const auto before = this->Backup.Get())

@@ -38,12 +38,12 @@ struct BandState
   bool Paper = false;       // the band is the paper's: see PaperStep.h
   bool HasGhosts = true;    // false: the node scheme has set all nodes of the layers
   AdvanceReport Work;       // since ForgetWork
-  ActiveSet Set;            // of the current substep, which sets it first; kept for its capacity
+  ActiveSet Set;            // leaves of the current substep; kept for its capacity
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
   std::shared_ptr<const BandPart> Part; // null: the band is whole
-  std::shared_ptr<const Domain> Space;  // of the next frames; null: they are not partitioned
+  std::shared_ptr<const Domain> Space;  // null: the next frames are not partitioned
   FetchedLeaves Fetched;                // kept for its capacity
   BandBackup Backup;                    // state before new parts
   NodeStep Nodes;                       // kept for its capacity
@@ -91,7 +91,8 @@ struct BandState
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
 
-  /** Sets the surface to the target at the time, after attraction and tension of this duration. */
+  /** Sets the surface to the target at the time, then applies attraction and tension for
+   * `duration`. */
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {

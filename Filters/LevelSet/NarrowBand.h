@@ -124,9 +124,9 @@ public:
     const ProgressFunction& progress = {});
 
   /**
-   * Sets the potential to the target at `time`, smoothed by attraction and tension of this
-   * duration: the first frame is then as smooth as the following frames. Target::GetNodes must not
-   * be null. bounds: only their size is used. Throws like Advance.
+   * Sets the potential to the target at `time`, then applies attraction and tension for `duration`:
+   * the first frame is then as smooth as the following frames. Target::GetNodes must not be null.
+   * bounds: only their size is used. Throws like Advance.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);

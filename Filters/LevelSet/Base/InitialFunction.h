@@ -45,9 +45,9 @@ struct InitialFunction
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set. If there are any, the start uses the points instead of the regions,
-   * and its cost depends on the number of points. The result is bitwise identical to the start
-   * without points.
+   * Points near the zero set. If the points are known, the start uses the points instead of the
+   * regions, at a cost that depends on the number of points. The result is bitwise identical to
+   * that without points.
    */
   SurfacePoints Surface;
 };

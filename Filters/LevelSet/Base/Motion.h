@@ -95,10 +95,12 @@ struct Motion
   ///@}
 
   ///@{
-  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere under tension keeps the
-   * offset e = 1 - V/V0 with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
-   * VolumeStiffness r0 < 4.233 Tension. For the area, e = 1 - A/A0, the power is 1/2, and the
-   * factor is 5.196. */
+  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere of radius r0 under
+   * tension keeps a deficit e:
+   *   volume: e = 1 - V/V0, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0),
+   *   area:   e = 1 - A/A0, e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0).
+   * The sphere collapses if VolumeStiffness r0 < 4.233 Tension, or AreaStiffness r0 < 5.196
+   * Tension. */
   double AreaStiffness = 1.0;
   double VolumeStiffness = 1.0;
   ///@}
@@ -165,7 +167,7 @@ struct AdvanceReport
   std::size_t CreatedParts = 0;      //< parts and hollows, see Motion::CreateParts
   double MaxSpeed = 0.0;             //< largest |target speed| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
-  bool Aborted = false;              //< the progress function cancelled it
+  bool Aborted = false;              //< the progress function cancelled the motion
   bool IsSteady = false;             //< AdvanceToSteadyState reached a steady state
   /** Largest normal speed at the sample points in the last substep of AdvanceToSteadyState
    * [voxels/time]. */
@@ -176,7 +178,7 @@ struct AdvanceReport
    * end of the first window.
    */
   double MovingShare = 0.0;
-  double MovingDistance = 0.0; //< likewise, mean displacement [voxels]
+  double MovingDistance = 0.0; //< likewise, but mean displacement [voxels]
 };
 
 /** Receives the completed fraction, in [0,1], before each substep; returns false to stop there. */

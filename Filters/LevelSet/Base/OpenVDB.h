@@ -2,10 +2,10 @@
  * OpenVDB, with templates that are visible to other libraries. All other symbols of this library
  * are hidden.
  *
- * OpenVDB's grids keep static members, and flags for single calls, in templates. A program must
+ * OpenVDB's grids keep static members, and the std::once_flag of each, in templates. A program must
  * have one copy of each member and flag. If members were hidden but flags were not, the first
  * library to call would fill only its own members, and other libraries would read null. Include
- * OpenVDB by this header, before any other header of OpenVDB.
+ * this header before any other header of OpenVDB.
  */
 #ifndef OpenVDB_h
 #define OpenVDB_h

@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** Adds the counts of a motion, and keeps the largest speed. Does not add how the motion ended. */
+/** Adds the counts of a motion, and keeps the larger MaxSpeed. Does not change other members. */
 inline void AddWork(AdvanceReport& sum, const AdvanceReport& report)
 {
   sum.Substeps += report.Substeps;

@@ -55,10 +55,11 @@ public:
 
   /**
    * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
-   * last MoveTo; one box that meets a part is enough. The boxes and their order must depend only on
-   * the time, otherwise a restart may create other parts. TargetRegion.h describes the cost. A part
-   * that touches the skin is not created, because the skin grows into it. The boxes of such a part
-   * have to be visited in later substeps too, because the contact may end.
+   * last MoveTo. One box per part is enough; the box has to meet the part. The boxes and their
+   * order must depend only on the time, otherwise a restart may create different parts.
+   * TargetRegion.h describes the cost. A part that touches the skin is not created, because the
+   * skin grows into it. The boxes of such a part have to be visited in later substeps too, because
+   * the contact may end.
    */
   void ForEachRegion(const RegionVisitor& visit) const
   {

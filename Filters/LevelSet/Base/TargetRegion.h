@@ -8,9 +8,9 @@ namespace activesurface
 {
 
 /**
- * Nodes of a region at which the target is compared with the skin, to find a hollow, or a part of
- * the target that the skin does not reach. AllNodes: all nodes of the leaves that the box touches.
- * Centre: the centre of the box, which the part or hollow contains. PartAtCentre and
+ * Nodes of a region at which the target is compared with the skin. The comparison finds parts of
+ * the target that the skin does not reach, and hollows. AllNodes: all nodes of the leaves that the
+ * box touches. Centre: the centre of the box, which the part or hollow contains. PartAtCentre and
  * HollowAtCentre: the centre, only for parts or only for hollows. Particles use PartAtCentre to
  * search for a part in a particle, and HollowAtCentre to search for a hollow next to a particle.
  * PartAtCentre costs no evaluation if the skin contains the centre, HollowAtCentre if the skin does
@@ -33,7 +33,7 @@ struct TargetRegion
 
 using RegionVisitor = std::function<void(const TargetRegion&)>;
 
-/** Called for points (x y z) until it returns false. */
+/** Called for each point (x y z), until a call returns false. */
 using PointVisitor = std::function<bool(const double x[3])>;
 
 /**
@@ -50,7 +50,8 @@ public:
   /** Visits some points of the part, the deepest ones first: at least one in each leaf or tile. */
   virtual void ForEachSample(const PointVisitor& visit) const = 0;
 
-  /** Visits all known points. A skin that contains none of them does not meet the part. */
+  /** Visits all known points. The skin meets the part if one of these points is on the part's side
+   * of the skin. */
   virtual void ForEachPoint(const PointVisitor& visit) const = 0;
 };
 

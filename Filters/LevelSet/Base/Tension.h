@@ -12,22 +12,22 @@
 namespace activesurface
 {
 
-/** Rate by which tension limits an explicit step, to be added to the rates of the other terms:
- * the step is stable up to 1 / rate. */
+/** Rate of tension in the limit of an explicit step: the step is stable up to 1 / (sum of the rates
+ * of all terms). */
 inline double TensionRate(double tension, double voxelSize)
 {
   return 4.0 * std::fabs(tension) / (voxelSize * voxelSize);
 }
 
-/** Radius below which tension makes balls of a target vanish. At a radius r < R the skin is at
- * rest where Attraction (R - r) = 2 Tension / r; this has no solution for smaller R. */
+/** Smallest radius R of a ball of the target that tension does not make vanish. The radius r of the
+ * steady skin obeys Attraction (R - r) = 2 Tension / r, which has no solution for smaller R. */
 inline double SmallestBall(double tension, double attraction)
 {
   return tension > 0.0 ? std::sqrt(8.0 * tension / attraction) : 0.0;
 }
 
-/** Automatic tension over particles: half of Attraction times the square of half of their spacing.
- * TensionWeighting reduces it to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx). */
+/** Automatic tension over particles: Attraction (spacing / 2)^2 / 2. TensionWeighting reduces this
+ * tension to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx). */
 inline double AutomaticTension(double attraction, double spacing)
 {
   constexpr double factor = 1.0 / 2.0;

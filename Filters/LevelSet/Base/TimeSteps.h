@@ -14,8 +14,8 @@ namespace activesurface
 struct StepOfTime
 {
   int Step = 0;         //< last step that is not after the time
-  double Time = 0.0;    //< time of the step; the requested time if it is between two steps
-  bool Between = false; //< after that step and before the next one
+  double Time = 0.0;    //< time of the step, or the requested time if Between
+  bool Between = false; //< the requested time is after Step and before the next step
 };
 
 /**

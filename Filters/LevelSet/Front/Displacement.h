@@ -1,7 +1,7 @@
 /**
- * Measures the displacement of the surface, which detects a steady state. Speeds at the nodes
- * cannot detect it: under tension, nodes off the surface keep changing while the surface stands
- * still.
+ * Measures the displacement of the surface, to detect a steady state. Speeds at the nodes cannot
+ * detect a steady state: under tension, the potential at nodes off the surface keeps changing while
+ * the surface is steady.
  */
 #ifndef Displacement_h
 #define Displacement_h
@@ -32,7 +32,7 @@ public:
   struct Statistics
   {
     double ShareBeyond; //< fraction of the sample points that moved farther than `distance`
-    double Mean;        //< mean distance [voxels]
+    double Mean;        //< mean distance of all sample points [voxels]
   };
 
   /** Returns statistics of the sample points of Begin; all 0 if there are none. If the edge of a
@@ -64,15 +64,15 @@ private:
 class SteadyWindow
 {
 public:
-  /** Called after each substep. attraction: a window is so long that the distance to a target
-   * decays by a factor of exp(-8) or less. Without attraction the length of a window is
-   * undefined. */
+  /** Called after each substep. attraction: Attraction of the motion [1/time]. IsSteady returns
+   * true only after a window of at least 8 / attraction, in which distances to a target decay to
+   * exp(-8) or less; without attraction, never. */
   void Observe(const LeafTable& table, double time, double attraction);
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
    * window. Either the moved fraction of the surface was at most FewMoving, and at least half of
    * the moved fraction in the window before. Or the mean displacement was at most 0.25 voxel, and
-   * 0.5 to 1.25 of the mean displacement in the two windows before. */
+   * 0.5 to 1.25 times the average of the mean displacements in the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
   /** Fraction that moved in the last window; NaN before the end of the first window. */

@@ -1,7 +1,7 @@
 /**
  * Restores area or volume after each substep by a uniform displacement along the normal. This is a
- * projection, without stiffness or offset. (With an averaged speed in the equation of motion
- * instead, area or volume drifts by 7 %.)
+ * projection, without stiffness or offset. An averaged speed in the equation of motion would let
+ * area or volume drift by 7 %.
  */
 #ifndef ExactControl_h
 #define ExactControl_h
@@ -26,10 +26,11 @@ struct ControlledBand
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< of up to 1.5 voxels each, for long substeps
+  int Rounds = 1; //< limit of the displacement [1.5 voxels]; more than 1 for long substeps
 };
 
-/** Moves the surface until the volume is restored to 1e-9, at most 1.5 voxels per iteration. */
+/** Moves the surface, by at most 1.5 Rounds voxels, until the relative error of the volume is 1e-9.
+ */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** Restores the area by the secant method: the gain of area per displacement may have either

@@ -30,8 +30,8 @@ double Interpolate(const Potential& potential, const double x[3])
   return Trilinear(value, t, nullptr);
 }
 
-/** Moves a point of the band to the surface along the gradient. The point stays where the
- * gradient vanishes, on a medial axis without a closest point. */
+/** Moves a point of the band along the gradient to the surface. The point does not move where the
+ * gradient vanishes: on a medial axis, which has no closest point. */
 void MoveToSurface(const Potential& potential, double x[3])
 {
   constexpr int mostSteps = 8;

@@ -33,9 +33,9 @@ inline bool HasNodePoints(const Motion& motion)
   return motion.Paper || !SamplesCrossings(motion);
 }
 
-/** Returns the nodes with points of their own. With TargetEvaluation Node and ClosestPoint these
- * are all active nodes. In the paper's scheme these are the active nodes without a crossed edge,
- * the paper's F(X) beyond the surface. Otherwise there are none. */
+/** Returns the nodes with points of their own. With TargetEvaluation Node or ClosestPoint: all
+ * active nodes. Otherwise, in the paper's scheme: the active nodes without a crossed edge, where
+ * the paper evaluates F(X). Otherwise: no nodes. */
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
 
 /** Writes the points of these nodes (x y z, world units), node by node; returns the end. */

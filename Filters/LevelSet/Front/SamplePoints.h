@@ -31,7 +31,7 @@ struct TargetSamples
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
-/** Samples only the given leaves that have not been sampled; keeps the other samples. */
+/** Samples only those of the given leaves that have not been sampled; keeps existing samples. */
 TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 

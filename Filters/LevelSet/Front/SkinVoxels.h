@@ -138,7 +138,7 @@ struct CrossedEdge
 };
 
 /** Calls function(CrossedEdge) for crossed edges along an axis that begin in the leaf `owner`.
- * next: offset of this leaf from the leaf of the voxels, 0 or 1 along each axis. */
+ * next: offset of `owner` from the leaf of the voxels, 0 or 1 along each axis. */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   const LeafTable& table, std::int32_t owner, int axis, const int next[3], Function&& function)

@@ -6,8 +6,8 @@
  *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *
- * kappa |grad u| is computed as one bounded product, which needs no clamp. The last voxel therefore
- * vanishes in time, and necks pinch off as they should.
+ * kappa |grad u| is computed as one bounded product, which needs no clamp. The last voxel of a part
+ * therefore vanishes in time, and necks pinch off.
  */
 #ifndef StepForward_h
 #define StepForward_h
@@ -25,7 +25,7 @@ struct StepCoefficients
   float Advection = 0.f;  //< dt / h
   float Tension = 0.f;    //< dt Tension / h^2
   float Relaxation = 0.f; //< q
-  float Uniform = 0.f;    //< speed of all nodes, added to the target's
+  float Uniform = 0.f;    //< speed of all nodes, added to the target speed
   bool HasTargetSpeed = false;
   bool Central = false; //< central differences in the advective term
 
@@ -49,7 +49,7 @@ struct GradientCounts
 
 /** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of
  * crossed edges. The target speeds there have to be valid. If the largest speed exceeds `enough`,
- * any speed above `enough` may be stored. coefficients: those of a step of length 1. */
+ * any speed above `enough` may be stored. coefficients: those of a step of dt = h. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 
@@ -61,8 +61,8 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
 GradientCounts SumOfCounts(
   const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
-/** Copies Next to the potential of the active leaves and finds its signs. Marks all active nodes
- * of the affected leaves as updated. */
+/** Copies Next to the potential of the active leaves and finds the signs. Marks all active nodes of
+ * the affected leaves as updated. */
 void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface does not move. */

@@ -1,11 +1,11 @@
 /**
  * The target's speed at every active node, from the sample points (paper, section 4.3, corrected).
  *
- * The speed of a node with crossed edges is the mean over their sample points weighted by 1/t^2.
- * Here t is the fraction of the edge from the node to the crossing. For a plane the mean is the
- * value at the exact closest point. From these nodes the speed is extended outward, sweep by sweep.
- * The extended speed is the mean over the known neighbours, weighted by the difference of the
- * distances to the surface.
+ * The speed of a node with crossed edges is the mean over the sample points of these edges,
+ * weighted by 1/t^2. Here t is the fraction of the edge from the node to the crossing. If the
+ * surface is a plane, the mean is the value at the closest point of the plane. Sweeps extend the
+ * speed from these nodes to nodes farther from the surface. An extended speed is the mean over the
+ * neighbours with known speeds, weighted by how much closer to the surface they are.
  */
 #ifndef TargetSpeed_h
 #define TargetSpeed_h
@@ -31,8 +31,8 @@ void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 
 /** Returns true if an exact control cancels the whole attraction: the surface is outside the
- * target's support, where the speed is inward and bitwise identical everywhere. All leaves have to
- * be sampled. */
+ * target's support, where the target's speed is inward and bitwise identical at all sample points.
+ * All leaves have to be sampled. */
 bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers);
 
 /** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */

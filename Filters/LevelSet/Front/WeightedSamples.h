@@ -1,7 +1,7 @@
 /**
  * Means of the target's values on the crossed edges around each node of a leaf (the paper, 4.3).
  *
- * The weight of a sample is 1/t^2, where t is the fraction of its edge from the node to the
+ * The weight of a sample is 1/t^2, where t is the fraction of the edge from the node to the
  * crossing. If the surface is a plane, the mean is the value at the point of the plane closest to
  * the node.
  */
@@ -44,10 +44,10 @@ public:
   }
 
 private:
-  static constexpr int MaximumEdges = 512 + 64; // ending in the leaf, per axis
+  static constexpr int MaximumEdges = 512 + 64; // along an axis; 64 begin in the previous leaf
   static constexpr int Elsewhere = 512;         // stands for a node of another leaf
 
-  /** A vector of edges: values at their ends, and the sample that both ends get. */
+  /** Edges as arrays: values at the ends, and the sample that both ends get. */
   struct Edges
   {
     int Count = 0;
@@ -73,7 +73,7 @@ private:
     return buffers.Samples.data() + buffers.FirstSample[i] + leaf.CrossingsBefore[Axis];
   }
 
-  /** Finds the edges that begin in the previous leaf and end on the first plane of this one. */
+  /** Finds the edges that begin in the previous leaf and end on the first plane of `leaf`. */
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE void FindIncoming(
     const LeafTable& table, const BandLeaf& leaf, const SubstepBuffers& buffers, Edges& edges)
@@ -121,7 +121,7 @@ private:
       });
   }
 
-  /** Sums by axis, from the edge behind a node to the one ahead. */
+  /** Adds the edges along an axis; of each node first the edge behind, then the edge ahead. */
   template <int Axis>
   ACTIVE_ALWAYS_INLINE void AddEdges(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)

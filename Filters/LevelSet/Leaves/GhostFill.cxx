@@ -44,8 +44,7 @@ ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
 /** Value of a node that must not be used. */
 constexpr float Missing = -std::numeric_limits<float>::infinity();
 
-/** Extrapolates |u| to the nodes of one layer in one leaf, from the layers inside; see GhostFill.h.
- */
+/** Extrapolates |u| to the nodes of one layer in one leaf, from smaller layers; see GhostFill.h. */
 class LayerFill
 {
 public:

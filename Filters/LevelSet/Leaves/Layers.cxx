@@ -58,7 +58,8 @@ LeafList AddMissingLeaves(LeafTable& table, PotentialTree& tree, const LeafList&
   return table.Add(missing, tree);
 }
 
-/** Returns the nodes whose neighbours one and two steps away on the axes are all in the layers. */
+/** Returns the nodes whose neighbours one and two steps away along the axes are all in the layers.
+ */
 ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const BandLeaf& leaf)
 {
   const LeafMask& all = leaf.UpToLayer[LastLayer];

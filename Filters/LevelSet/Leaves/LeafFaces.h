@@ -33,7 +33,7 @@ inline LeafMask SeenAcross(const LeafMask& mask, int axis, int sign)
   return sign > 0 ? SeenBehind(LeafMask(), mask, axis, 1) : SeenAhead(LeafMask(), mask, axis, 1);
 }
 
-/** Returns `from` and all nodes of the leaf that edges within `nodes` connect with it. */
+/** Returns `from` and all nodes of the leaf that edges within `nodes` connect with `from`. */
 inline LeafMask GrowInLeaf(const LeafMask& from, const LeafMask& nodes)
 {
   const LeafMask nothing;

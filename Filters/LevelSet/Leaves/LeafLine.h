@@ -33,9 +33,9 @@ public:
   }
 
   /**
-   * Returns the number `steps` along the axis. The value is arbitrary without a neighbour leaf, or
-   * if another thread writes the value at the same time (relaxed atomic load). Callers must mask
-   * out both cases.
+   * Returns the value at the node `steps` from `node` along the axis. The value is arbitrary if
+   * that node has no leaf, or if another thread writes the value at the same time (relaxed atomic
+   * load). Callers must mask out both cases.
    */
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
   {

@@ -67,7 +67,8 @@ struct LeafSpeed
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** Data that every substep reads of all leaves, converged ones too; small to reduce the cost. */
+/** Data that every substep reads of all leaves, including converged leaves; small, to reduce the
+ * cost. */
 struct LeafSummary
 {
   LeafSpeed Speed;
@@ -99,11 +100,11 @@ struct BandLeaf
   std::array<LeafMask, NumberOfLayers> UpToLayer; //< nodes of the layers 0..m
   LeafMask Active;                                //< band and pockets: updated by the next substep
   LeafMask Updated;                               //< nodes whose value the last substep has updated
-  LeafMask HoldsStaleValue = LeafMask::All();     //< nodes whose value may not be the background
-  std::array<LeafMask, 3> Edge;                   //< crossed edges, by axis, at their lower node
-  std::size_t FirstCrossing = 0;                  //< number of the first crossed edge
-  std::array<int, 3> CrossingsBefore{};           //< crossed edges of this leaf on earlier axes
-  int Crossings = 0;                              //< crossed edges of this leaf
+  LeafMask HoldsStaleValue = LeafMask::All(); //< nodes whose value may differ from the background
+  std::array<LeafMask, 3> Edge;               //< crossed edges, by axis, at their lower node
+  std::size_t FirstCrossing = 0;              //< number of the first crossed edge
+  std::array<int, 3> CrossingsBefore{};       //< crossed edges of this leaf on earlier axes
+  int Crossings = 0;                          //< crossed edges of this leaf
 };
 
 class Domain;

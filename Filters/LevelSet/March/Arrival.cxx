@@ -48,8 +48,8 @@ private:
   Target& Goal;
   const RemainingDistance& Remaining;
   const double VoxelSize;
-  bool IsAwake = true;  //< in the current substep
-  bool HasWoken = true; //< before the current substep
+  bool IsAwake = true;  //< all leaves count as changed in the current substep
+  bool HasWoken = true; //< all leaves count as changed in the next substep
 };
 
 void ArrivingTarget::MoveTo(double time)
@@ -84,8 +84,8 @@ void ArrivingTarget::Evaluate(
   }
 }
 
-// Lengthens the value F to the remaining distance, which falls linearly to 0 within a voxel of the
-// target. The magnitude of the result is at least |F| or two voxels, whichever is smaller.
+// Replaces the value F by the remaining distance, with the sign of F. The magnitude is
+// max(remaining * min(|F| / h, 1), min(|F|, 2 h)), where h is the voxel size.
 void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
 {
   const double distance = std::fabs(value), voxel = this->VoxelSize;
@@ -103,8 +103,8 @@ void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) co
 }
 
 /**
- * Decrease of ln(remaining time) in each interval; distances fall by the same factor. The decays
- * sum to 10, which would leave 1/22000 of the distances.
+ * Attraction * length of each interval: the decrease of ln(distance) and, except in the last
+ * interval, of ln(remaining time). The decays sum to 10, which leaves 1/22000 of the distances.
  */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
   .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };

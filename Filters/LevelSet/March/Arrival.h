@@ -5,8 +5,8 @@
  * The speed of a part of the surface is its remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
  * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too. The
- * speed is made by an Attraction that is constant in each of many short intervals. At the end of
- * each interval the distances have fallen as required.
+ * Attraction is constant in each of 24 intervals, and chosen so that the distances have fallen as
+ * required at the end of each interval.
  */
 #ifndef Arrival_h
 #define Arrival_h

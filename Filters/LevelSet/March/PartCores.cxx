@@ -61,8 +61,8 @@ public:
 
 private:
   /** Adds a core for each part that meets the surface only in a region too thin to grow from.
-   * Without a core, this region would vanish together with the adjacent regions that only the
-   * surface has, and the part would never grow. */
+   * Without a core, this region would vanish together with adjacent regions outside the target, and
+   * the part would never grow. */
   void AddBarelyReached()
   {
     std::vector<char> isKnown(this->Known);
@@ -100,8 +100,8 @@ private:
     return part;
   }
 
-  /** Returns the node of a part in its innermost layer. Distances do not measure depth: far from a
-   * mesh all distances are equal. */
+  /** Returns a node in the innermost layer of a part. The target's values cannot measure depth: far
+   * from a mesh all values are equal. */
   std::size_t FindDeepest(const std::vector<std::size_t>& part)
   {
     this->Layer.resize(this->Nodes.Size(), -1);

@@ -187,7 +187,7 @@ private:
   std::vector<std::array<std::int32_t, 6>> Neighbours;
 };
 
-/** Distances from the surface at nodes with a neighbour across it; infinite elsewhere. */
+/** Distances from the surface at nodes with a neighbour on the other side; infinite elsewhere. */
 std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, double voxelSize)
 {
   std::vector<double> distances(nodes.Size(), std::numeric_limits<double>::infinity());

@@ -28,12 +28,12 @@ namespace activesurface
 class RemainingDistance
 {
 public:
-  /** Leaves all distances undefined if the lattice would need too many nodes. */
+  /** If the lattice would need too many nodes, Find returns only negative distances. */
   explicit RemainingDistance(const ArrivalSearch& search);
 
-  /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at
-   * which the surface still has to grow or shrink. Returns a negative number if no node is
-   * near. */
+  /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at which
+   * the surface has to grow (grow[i]), or to shrink (not grow[i]). A distance is negative if no
+   * such node is near. */
   void Find(std::size_t count, const double* points, const bool* grow, double* distances) const;
 
 private:

@@ -201,8 +201,8 @@ private:
     return Mix(low, high, t[0]);
   }
 
-  /** Returns t (1 - t) / 2 times the second difference along an axis, interpolated between both
-   * ends of the nearest edge. */
+  /** Returns t (1 - t) / 2 times the second difference along an axis, interpolated between the ends
+   * of the edge nearest to the foot. */
   ACTIVE_ALWAYS_INLINE Lanes Curve(const int* at, int stride, const Lanes& t) const
   {
     const Lanes before = this->Get(at, -stride), a = this->Get(at, 0);

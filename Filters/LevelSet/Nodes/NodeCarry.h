@@ -12,9 +12,10 @@
 namespace activesurface
 {
 
-/** Writes the carried values of a leaf, clamped to +-NodeLimit. D is linear between the points of
- * the motion. Values are interpolated linearly, with second differences along the axes. A row is
- * set to `psi` if the old nodes that the row needs fill a box of more than 128^3 nodes. */
+/** Writes the carried values of a leaf, clamped to +-NodeLimit. The displacement D is linear
+ * between the points of the motion. Old values are interpolated linearly, corrected by second
+ * differences along the axes. A row is set to `psi` if the old nodes that the row needs fill a box
+ * of more than 128^3 nodes. */
 void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion& motion,
   const float* psi, float* carried);
 

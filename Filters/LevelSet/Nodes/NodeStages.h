@@ -1,13 +1,14 @@
 /**
- * Distances to the target at the nodes, and the stages that move the potential w towards these
- * distances:
+ * Distances to the target at the nodes, and the stages of a frame of the node scheme, which solve
+ * for the potential w:
  *
  *   w' = b g kappa |grad w| + a s (psi - w)
  *
- * over one unit of time. a = Attraction dt, b = Tension dt / h^2, g is the weight of tension, psi
- * the signed distance to the target [voxels], kappa the sum of the principal curvatures. s is 1,
- * except in a body of particles where psi - w is within the noise of its surface: there s is small.
- * At a fixed point attraction and tension balance, exactly as in the equation of motion.
+ * over one unit of time, the frame's dt. a = Attraction dt, b = Tension dt / h^2, g is the weight
+ * of tension, psi the signed distance to the target [voxels], kappa the sum of the principal
+ * curvatures. s is small in a body of particles where |psi - w| is within the noise of the body's
+ * surface, otherwise 1. At a fixed point attraction and tension balance, exactly as in the equation
+ * of motion.
  */
 #ifndef NodeStages_h
 #define NodeStages_h
@@ -37,7 +38,7 @@ struct NodeFields
   const NodeLeaves& Leaves;
   const NodeArrays& Psi;
   const std::vector<LeafBulk>& Bulk;
-  const std::vector<char>& IsFar; //< unchanged leaves: Potential = Room = Psi
+  const std::vector<char>& IsFar; //< leaves that no stage changes: Potential = Room = Psi
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
   const NodeHalo& Halo;

@@ -16,8 +16,8 @@ namespace activesurface
 namespace
 {
 
-/** Leaves without moving particles stay bitwise identical if they change by less than this times
- * Attraction dt [voxels]. */
+/** A leaf in which the target has not moved stays bitwise identical if u changes by at most
+ * RestingChange * Attraction dt [voxels] in layers 0 and 1. */
 constexpr float RestingChange = 3e-4f;
 
 /** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in

@@ -17,9 +17,9 @@ namespace
 /** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
-/** Cosine between the normal of a surface and the direction to a wall: the surface rests on the
- * wall in full from FacesWall on, and not at all up to LeavesWall. A free surface that meets a
- * wall, and a surface at an edge of the box, is therefore as round as without walls. */
+/** Limits of the cosine between the normal of a surface and the direction to a wall. The shift onto
+ * the wall has full weight from FacesWall on, and weight 0 up to LeavesWall. A free surface that
+ * meets a wall, and a surface at an edge of the box, is therefore as round as without walls. */
 constexpr float LeavesWall = .75f, FacesWall = .95f;
 
 double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
@@ -51,9 +51,9 @@ float CosineToWall(const WallSide& side, const float (&gradient)[3])
   return towards > 0.f ? towards / std::sqrt(square) : 0.f;
 }
 
-/** Returns the displacement of a surface that is `between` from a wall: all the way up to `gap`.
- * From there to 1.5 gap the displacement falls to 0, so that a surface that approaches a wall does
- * not jump. */
+/** Returns the displacement of a surface at the distance `between` from a wall: the whole distance
+ * up to `gap`, falling to 0 at 1.5 gap, times the weight of the cosine. A surface that approaches a
+ * wall therefore does not jump. */
 float ShiftToWall(float between, float cosine, float gap)
 {
   const float facing = (cosine - LeavesWall) / (FacesWall - LeavesWall);
@@ -62,7 +62,7 @@ float ShiftToWall(float between, float cosine, float gap)
   return share * share * (3.f - 2.f * share) * std::max(shift, 0.f);
 }
 
-/** Lowers the numbers of a leaf's nodes where the surface rests on a wall. */
+/** Lowers the numbers of a leaf's nodes near a wall, so that the surface rests on the wall. */
 void RestOnWall(const WallSide& side, float gap, const NodeIndex& origin,
   const NodeBlock<1>& potential, float* numbers)
 {
@@ -188,7 +188,8 @@ void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float g
     });
 }
 
-/** Raises numbers to the depths in walls and obstacle. All rows of leaves near them count. */
+/** Raises numbers to the depths in walls and obstacle. Sets Rows to all rows in leaves near walls
+ * or obstacle. */
 void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
 {
   if (!motion.Box.Present && !motion.Solid)

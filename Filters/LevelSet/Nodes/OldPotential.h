@@ -19,7 +19,7 @@ class Domain;
 /** Limit of |u| and |psi| in the node scheme [voxels]. */
 constexpr float NodeLimit = 3.f;
 
-/** A leaf of the last frame; null if there is none. */
+/** A leaf of the last frame; the pointers are null if the leaf does not exist. */
 struct OldLeaf
 {
   const float* Value = nullptr;          //< 512 values

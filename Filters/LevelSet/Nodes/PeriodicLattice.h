@@ -1,5 +1,5 @@
 /**
- * Positions in a periodic box that are repeated by the nodes beyond the sides of the box.
+ * Maps nodes beyond the sides of a periodic box to the positions in the box that the nodes repeat.
  */
 #ifndef PeriodicLattice_h
 #define PeriodicLattice_h
@@ -39,8 +39,8 @@ public:
     return true;
   }
 
-  /** Returns the value at a node. Beyond a side it is the value at the repeated position, linear
-   * between the nodes there. */
+  /** Returns the value at a node within the sides. For a node beyond a side, returns the value at
+   * the repeated position, interpolated linearly between the nodes around this position. */
   template <class ValueAt>
   float Interpolate(const NodeIndex& node, ValueAt&& valueAt) const
   {

@@ -4,7 +4,7 @@
  * All ranks call the same operations in the same order. A rank that has failed calls Fail instead
  * of the next operation. That operation then throws RankError with the same message on all ranks,
  * so no rank waits for a failed rank. A rank whose process has ended cannot call Fail; MPI has to
- * detect that.
+ * detect the end of the process.
  */
 #ifndef Agreement_h
 #define Agreement_h

@@ -33,8 +33,9 @@ public:
    * the sizes of the messages. */
   virtual void AllGather(const Bytes& own, std::vector<Bytes>& all) = 0;
 
-  /** Collective. Sends toEach[rank] to each other rank and receives fromEach[rank] from it. The
-   * elements of fromEach have to have the sizes of the messages. Empty messages are not sent. */
+  /** Collective. Sends toEach[rank] to each other rank, and receives fromEach[rank] from that rank.
+   * The elements of fromEach have to have the sizes of the messages. Empty messages are not sent.
+   */
   virtual void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) = 0;
 };
 

@@ -62,8 +62,8 @@ public:
   /** Replaces `others` by the other ranks that own neighbours of a leaf, ascending. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
-  /** Returns the rank that counts the vertices of a leaf. The ranks of the leaves ascend in the
-   * order of the tree. Each rank counts about the same number of sampled leaves. */
+  /** Returns the rank that counts the vertices of a leaf. Leaves later in the order of the tree
+   * have the same or a higher rank. Each rank counts about the same number of sampled leaves. */
   int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }

@@ -46,7 +46,7 @@ struct NewBand
 };
 
 /** Computes the union of the body and a part, or the difference of the body and a void. A union
- * changes only the outside, a difference only the inside. */
+ * changes only outside nodes, a difference only inside nodes. */
 void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
 {
   constexpr float least = 1e-30f; // keeps the sign
@@ -62,7 +62,7 @@ void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
   }
 }
 
-/** Converts leaves entirely inside the parts to tiles of the other sign. */
+/** Converts leaves entirely inside the new parts or voids to tiles of the other sign. */
 void JoinTiles(const NewBand& added, PotentialTree& tree)
 {
   for (std::size_t i = 0; i < added.Nodes.Size(); ++i)

@@ -60,7 +60,8 @@ void ForEach(std::size_t count, bool isParallel, Function&& function)
   }
 }
 
-/** Samples the function near the crossed nodes, scaled to about 1 at them. */
+/** Samples the function near the crossed nodes, scaled so that the largest |value| at these nodes
+ * is 1 to 2. */
 openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& function)
 {
   // One layer of nodes beyond the band's layers, for central differences in every layer.
@@ -112,8 +113,7 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
 }
 
 /** Returns true if the value at a node is below -1e-8 * largest. largest: the largest value around.
- * Fast sweeping treats smaller magnitudes as zero, and rejects a function without other inside
- * nodes. */
+ * Fast sweeping treats smaller magnitudes as zero, and rejects a function without any such node. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;

@@ -18,8 +18,8 @@ namespace activesurface
  * changes get distances (InitialDistances.h). If the function is negative at a face of the bounds,
  * the shape is closed half a voxel inside the outermost nodes. NaN counts as outside.
  *
- * Returns a tree of u with background Far and inside tiles -Far; null if `progress` cancelled it.
- * Throws like NarrowBand::Start.
+ * Returns a tree of u with background Far and inside tiles -Far; null if `progress` cancelled the
+ * sampling. Throws like NarrowBand::Start.
  */
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

@@ -18,7 +18,8 @@ openvdb::Coord LeafCoordinates(const openvdb::Coord& origin)
   return origin >> 3;
 }
 
-/** Finds the box of nodes in a region and next to it. Returns false if there are none. */
+/** Finds the box of the nodes in a region and next to the region. Returns false if the box is
+ * empty. */
 bool FindNodes(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
   openvdb::Coord& first, openvdb::Coord& last)
 {

@@ -22,9 +22,9 @@ namespace activesurface
 namespace
 {
 
-/** Number of node layers around a surface point's nearest node that contain all corners of
- * crossed voxels near the point. These are the ends of each edge crossed within Reach, and one
- * more node. */
+/** Number of layers of nodes to sample around the node nearest to a surface point. The layers
+ * contain the ends of each edge crossed within Reach of the point, and all corners of the voxels at
+ * this edge. */
 int FindRings(const SurfacePoints& surface, double voxelSize)
 {
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;
@@ -62,7 +62,7 @@ void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox&
     wanted, rings, openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::IGNORE_TILES);
 }
 
-/** Finds the box of nodes that may be inside. Returns false if it is empty. */
+/** Finds the box of the nodes that may be inside. Returns false if the box is empty. */
 bool FindInsideBox(
   const SurfacePoints& surface, double voxelSize, const LatticeBox& box, openvdb::CoordBBox& within)
 {
@@ -81,7 +81,7 @@ bool FindInsideBox(
   return true;
 }
 
-/** Adds the nodes next to faces of the box, and next to walls, that cut the inside. */
+/** Adds the nodes near the faces of the box, where faces or walls may cut the inside. */
 void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximum, openvdb::MaskTree& wanted)
 {
@@ -330,8 +330,8 @@ LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
   return within;
 }
 
-/** Fills unsampled leaves that have an inside node across one of their faces. Such a leaf contains
- * no surface, so the leaf is inside. */
+/** Fills each unsampled leaf that has an inside node across one of its faces, leaf after leaf. The
+ * surface does not cross an unsampled leaf, so such a leaf is inside. */
 void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 {
   for (std::size_t i = 0; i < leaves.Size(); ++i)

@@ -13,8 +13,8 @@ namespace activesurface
 
 /**
  * Returns the potential of MakeInitialPotential, at a cost proportional to the function's regions,
- * independent of the bounds. The function is sampled in the leaves that the regions touch. Space
- * outside the regions is filled from inside nodes leaf by leaf, without evaluations.
+ * independent of the bounds. The function is sampled in the leaves that the regions touch. Leaves
+ * outside the regions that are connected with an inside node are filled without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

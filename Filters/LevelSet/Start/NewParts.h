@@ -2,13 +2,13 @@
  * Finds parts of the target that the skin does not reach, and voids of the target deep inside the
  * skin.
  *
- * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
- * skin will reach such nodes if lattice edges connect the nodes with layer 0, where the sample
- * points of the skin are. The target repels the skin from all other such nodes: these are the new
- * parts and voids. The search follows connected nodes, from the target's regions, and from parts of
- * the input shapes that the skin does not meet at all. Voids, and parts of input shapes, have to be
- * wide: Tension or the lattice would remove narrow parts, and the search would find these parts
- * again.
+ * Nodes where the signs of the target and of the potential differ are called differing. The skin
+ * will reach differing nodes that are connected with layer 0, where the sample points of the skin
+ * are, along edges between differing nodes. All other differing nodes form the new parts and voids;
+ * the target repels the skin from these nodes. The search follows connected nodes, from the
+ * target's regions, and from parts of the input shapes that the skin does not meet at all. Voids,
+ * and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the lattice
+ * would remove narrow parts, and the search would find these parts again.
  */
 #ifndef NewParts_h
 #define NewParts_h

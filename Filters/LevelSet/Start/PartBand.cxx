@@ -23,9 +23,9 @@ namespace
  *
  * A distance is the function's first-order distance |F| / |grad F|, by central differences. This
  * distance is exact if F is a distance, and smooth where F is smooth. The distance is limited to
- * 0.5 to 1.5 times the distance to the crossings on edges. An eikonal update (EikonalUpdate.h)
- * propagates this distance from node to node. A sweep uses only nodes of earlier sweeps, so the
- * order within a sweep does not matter.
+ * 0.5 to 1.5 times the distance to the crossings on edges, which eikonal updates (EikonalUpdate.h)
+ * propagate from node to node. A sweep uses only nodes of earlier sweeps, so the order within a
+ * sweep does not matter.
  */
 class PartDistances
 {
@@ -236,7 +236,7 @@ void PartDistances::UseFunction(std::size_t i)
     });
 }
 
-/** Returns a negative number if a neighbour is missing or F is flat. */
+/** Returns |F| / |grad F|, or -1 if a neighbour is missing or F is flat. */
 float PartDistances::FirstOrderDistance(std::size_t i, int node) const
 {
   double difference[3];

@@ -18,7 +18,7 @@ namespace activesurface
 class PartBand
 {
 public:
-  /** inside: nodes inside the shapes; the others are outside. All magnitudes are Far. */
+  /** inside: nodes inside the shapes; all other nodes are outside. All magnitudes of u are Far. */
   explicit PartBand(const LeafSigns& inside);
 
   std::size_t CountActive() const;

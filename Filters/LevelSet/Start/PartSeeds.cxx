@@ -12,7 +12,8 @@ namespace activesurface
 namespace
 {
 
-/** Finds the node nearest to a point. Returns false if there is none. */
+/** Finds the node nearest to a point. Returns false if the point is not finite or too far from 0.
+ */
 bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -27,7 +28,8 @@ bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
   return true;
 }
 
-/** Finds the node nearest to the centre of a region. Returns false if there is none. */
+/** Finds the node nearest to the centre of a region. Returns false if the region is empty, not
+ * finite or too far from 0. */
 bool FindCentre(const TargetRegion& region, double voxelSize, openvdb::Coord& node)
 {
   double centre[3];
@@ -167,7 +169,7 @@ void PartSeeds::AddPart(const TargetPart& part)
   }
 }
 
-/** Returns the nodes at which the target has the part now, and the part is wide enough. */
+/** Returns the nodes at which the target now has the part, if the part is wide around the node. */
 PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) const
 {
   std::vector<double> values;
@@ -183,8 +185,8 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
   return missing;
 }
 
-/** Returns true if the part of the target contains six nodes around `node` as well. Neither the
- * lattice nor Tension removes such a part. */
+/** Returns true if the part of the target contains the six nodes GetLeastSteps() from `node` along
+ * the axes. Neither the lattice nor Tension removes such a part. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
   const int steps = this->Search.GetLeastSteps();

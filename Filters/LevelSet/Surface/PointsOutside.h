@@ -1,4 +1,4 @@
-/** Counts points outside the surface, each by more than its own margin. */
+/** Counts the points that are outside the surface by more than their margins. */
 #ifndef PointsOutside_h
 #define PointsOutside_h
 
@@ -23,8 +23,9 @@ struct PointWithMargin
  * of the skin. Without a surface all points count. Margins may be wider than the band. Points with
  * numbers that are not finite do not count.
  *
- * Reads one voxel of the potential for a point inside or far from the leaves, otherwise the voxels
- * of the leaves within the margin. Allocates no memory. The result does not depend on the threads.
+ * Reads the voxel of the potential that contains the point. If this point is outside, and its
+ * margin meets the leaves, also reads the voxels of the leaves within the margin. Allocates no
+ * memory. The result does not depend on the number of threads.
  */
 ACTIVELEVELSET_EXPORT std::size_t CountOutside(
   const NarrowBand& band, const std::vector<PointWithMargin>& points);

@@ -30,8 +30,8 @@ ACTIVE_ALWAYS_INLINE void AddGradient(const float* u, double weight, double grad
   }
 }
 
-/** Normals of a leaf's vertices on one axis. Arrays let the compiler vectorise roots and divisions.
- */
+/** Normals of a leaf's vertices on edges along an axis. Arrays allow vectorised roots and
+ * divisions. */
 class NormalsOfAxis
 {
 public:
@@ -86,11 +86,11 @@ private:
   bool IsInside[512];            //< side of the lower node
 };
 
-/** Returns the least distance of a vertex from the ends of its edge [voxels]. If the potential is 0
- * at a node, the vertices around the node would coincide, and triangles between them would have no
- * area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Each corner is
- * rounded by up to half of that distance. Vertices at least twice that distance from the node
- * therefore stay apart, and their triangles keep their orientation. */
+/** Returns the least distance of a vertex from the ends of its edge [voxels]. Without this
+ * distance, all vertices on the edges of a node where the potential is 0 would coincide, and their
+ * triangles would have no area. At the coordinate c, rounding moves a vertex by at most c * epsilon
+ * / 2. Vertices 2 c * epsilon or farther from the node therefore stay apart, and triangles keep
+ * their orientation. */
 template <class Number>
 double MarginOfVertices(std::int64_t farthestNode)
 {

@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-/** Bodies before and after that are connected by neighbouring blocks. */
+/** Bodies, before and after the interval, that neighbouring blocks connect. */
 struct Family
 {
   std::vector<double> Before; //< volumes
@@ -159,7 +159,7 @@ std::string FindEvents(const std::vector<SkinPart>& before, const std::vector<Sk
     gone += fewer > 0 && !merged ? fewer : 0;
     come += family.Before.empty() ? -fewer : 0;
   }
-  // A birth cancels a vanishing: the body has moved farther than blocks can detect.
+  // A birth cancels a vanishing: the body may have moved farther than blocks can detect.
   const bool vanish = gone > come, birth = come > gone;
   const std::int64_t voids = CountVoids(after) - CountVoids(before);
   const std::int64_t holes = CountHoles(after) - CountHoles(before);

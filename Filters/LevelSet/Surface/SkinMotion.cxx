@@ -161,8 +161,8 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
  * mean displacement of the particles at a vertex, and f the elapsed fraction of the frame. The
  * speed is
  *   (D . n - r (psi_e(x + (1 - f) D) - psi_b(x - f D))) / (end - begin):
- * the motion with the particles, and growth or shrinkage. r is the fraction of a change that the
- * skin follows in a frame; r is small within the target's noise.
+ * D . n is the motion with the particles, the other term is growth or shrinkage. r is the fraction
+ * of a change that the skin follows in a frame; r is small within the target's noise.
  */
 void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector<float>& speeds)
 {

@@ -17,7 +17,8 @@ namespace activesurface
 namespace
 {
 
-/** Sets of vertices that triangles connect. The number of a set is that of its first vertex. */
+/** Sets of vertices that triangles connect. The number of a set is the number of its first vertex.
+ */
 class VertexSets
 {
 public:

@@ -1,5 +1,5 @@
 /**
- * The connected parts of the skin: each bounds a body from outside or a void from inside.
+ * The connected parts of the skin: each is the outer boundary of a body, or the boundary of a void.
  */
 #ifndef SkinParts_h
 #define SkinParts_h
@@ -15,7 +15,7 @@ namespace activesurface
 
 class NarrowBand;
 
-/** A cube of four voxels a side, by its coordinates. Gives the rough position of a part. */
+/** Index of a block, a cube of four voxels a side. Blocks give the rough position of a part. */
 using PartBlock = std::array<std::int32_t, 3>;
 constexpr int VoxelsOfBlock = 4;
 
