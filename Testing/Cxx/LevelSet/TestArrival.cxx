@@ -119,8 +119,8 @@ TEST(TestArrival, BallShrinksEvenly)
   morph.CheckArrived(MakeBall(CentreA, .3));
 }
 
-// The remaining distance is recomputed in each frame. A bump must not get a smaller one than its
-// surroundings: it would move more slowly and grow.
+// The remaining distance is recomputed in each frame. A bump must not get a smaller distance than
+// its surroundings: the bump would move more slowly and grow.
 TEST(TestArrival, BallThatVanishesStaysRound)
 {
   const Point centre = { 0.0, 0.0, 0.0 };
@@ -296,7 +296,7 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
 // The corners of a box within a ring graze the ring or miss it by a voxel. The overlap is too thin
-// to grow from, so the box needs a core of its own. In the opposite direction a core fits into the
+// to grow from, so the box needs a core of its own. From the box to the ring, a core fits into the
 // ring.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {

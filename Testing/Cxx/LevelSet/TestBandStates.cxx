@@ -1,4 +1,4 @@
-// A copied, restarted or confined band is as complete as a new one.
+// Copied, restarted and confined bands are as complete as a new band; damaged states are refused.
 
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
@@ -91,7 +91,7 @@ TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
   EXPECT_TRUE(AreIdentical(band, *FromGrid(*ToGrid(band)))) << "a sound one";
 }
 
-// A few damaged bytes can create such a leaf. Coordinates of its neighbours overflow.
+// A few damaged bytes can create a leaf whose neighbours' coordinates overflow.
 TEST(TestBandStates, ALeafAtTheEndOfTheLatticeIsRefused)
 {
   NarrowBand band(VoxelSizeOf(16));

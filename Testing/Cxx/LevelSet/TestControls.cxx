@@ -121,7 +121,8 @@ bool operator==(const Topology& a, const Topology& b)
     a.EulerCharacteristic == b.EulerCharacteristic;
 }
 
-// Checks the measure after every substep. The projection ends at 1e-9 or after three displacements.
+// Checks the measure after every substep. The projection ends at a relative error of 1e-9, or after
+// eight displacements.
 void CheckHeld(const Journey& journey, int n, double (NarrowBand::*measure)() const)
 {
   NarrowBand band(VoxelSizeOf(n));

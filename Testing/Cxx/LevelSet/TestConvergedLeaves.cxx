@@ -91,13 +91,13 @@ Point Stay(double)
   return Right;
 }
 
-// Stands still until time 2, then swings up and down.
+// Static until time 2, then swings up and down.
 Point Swing(double time)
 {
   return { Right[0], Right[1] + (time < 2.0 ? 0.0 : 0.2 * std::sin(3.0 * (time - 2.0))), Right[2] };
 }
 
-// Stands still until time 2, then approaches the left metaball.
+// Static until time 2, then approaches the left metaball.
 Point Approach(double time)
 {
   return { Right[0] - 0.8 * std::min(std::max(time - 2.0, 0.0), 1.0), Right[1], Right[2] };
@@ -170,7 +170,7 @@ TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
   EXPECT_EQ(report.Substeps, 0u) << "substeps that are not skipped, from then on";
 }
 
-// The rate of the scheme in use decides.
+// Convergence is measured by the differences of the scheme in use.
 TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
 {
   NarrowBand band(VoxelSize);

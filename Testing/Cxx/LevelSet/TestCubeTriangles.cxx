@@ -247,7 +247,7 @@ TEST(TestCubeTriangles, EveryCaseUsesExactlyItsCrossedEdges)
   EXPECT_EQ(wrong, 0) << "the vertices of each case are its crossed edges";
 }
 
-// Implies that no diagonal lies in a face, where a neighbour could draw the same one.
+// Implies that no diagonal lies in a face, where a neighbour voxel could use the same diagonal.
 TEST(TestCubeTriangles, OnlyInteriorEdgesOfAVoxelHaveTwoTriangles)
 {
   int wrong = 0;

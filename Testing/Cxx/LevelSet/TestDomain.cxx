@@ -1,5 +1,5 @@
-// Space shared out to ranks: each leaf has one owner, costs are balanced, and a place knows who is
-// near it.
+// Partition of space among ranks: each leaf has one owner, costs are balanced, and the owners of
+// all nodes in a box are found.
 
 #include "Base/FixedSum.h"
 #include "Ranks/Domain.h"

@@ -1,5 +1,5 @@
-// Points of evaluation and finite differences. The paper's shifted evaluation (its Figs. 2 and 3)
-// is necessary. Its own scheme works as described, and its eq. (4) has the wrong sign.
+// Points of evaluation and finite differences. The paper's shifted evaluation (Figs. 2 and 3) is
+// necessary. The paper's scheme works as described, and the paper's eq. (4) has the wrong sign.
 
 #include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
@@ -79,8 +79,8 @@ TEST(TestEvaluation, EvaluationCountsItsPoints)
   }
 }
 
-// The paper's scheme arrives, but its normals are bumpy (its Fig. 3 needs a filter). The potential
-// is as steep as the clamp allows.
+// The paper's scheme arrives, but its normals are bumpy (the paper's Fig. 3 needs a filter). The
+// potential is as steep as the clamp allows.
 TEST(TestEvaluation, PaperArrivesWithBumps)
 {
   Motion motion;
@@ -117,8 +117,9 @@ TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
   EXPECT_EQ(FindDefects(Polygonise(band)).Edges, 0u) << "defects of the skin";
 }
 
-// Clamping spoils tension. Its error is 3 %, 0.4 % and 5.6 % at n = 32, 64 and 128; the default
-// scheme's is 0.2, 0.09 and 0.04 %. (At n = 128 the paper's scheme needs 25,000 substeps.)
+// Clamping spoils tension. The error of the paper's scheme is 3, 0.4 and 5.6 % at n = 32, 64 and
+// 128; that of the default scheme is 0.2, 0.09 and 0.04 %. (At n = 128 the paper's scheme needs
+// 25,000 substeps.)
 TEST(TestEvaluation, PaperTensionIsWorse)
 {
   const auto errorOf = [](bool paper, int n)
@@ -137,7 +138,8 @@ TEST(TestEvaluation, PaperTensionIsWorse)
   EXPECT_LT(2.0 * errorOf(false, 64), errorOf(true, 64)) << "error of the radius, n = 64";
 }
 
-// Switches from one scheme to the other and back: each resumes from the other's potential.
+// Switches from one scheme to the other and back. Each scheme resumes from the potential of the
+// other scheme.
 TEST(TestEvaluation, SchemesCanTakeTurns)
 {
   const double h = VoxelSizeOf(40);

@@ -1,5 +1,5 @@
 // Exact controls on surfaces that are not smooth: creases, parts that meet, thin sheets. Includes
-// the error that follows if a potential diverges all the same.
+// the error if a potential diverges.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -122,7 +122,7 @@ void CheckScene(const Scene& scene, Control area, double tolerance)
   }
 }
 
-// Eight displacements restore the controlled quantity to 1e-9 if they suffice. The documentation
+// The control ends at a relative error of 1e-9, or after eight displacements. The documentation
 // promises 1e-6.
 TEST(TestExactControl, ACubeKeepsItsVolumeOnItsWayToABall)
 {

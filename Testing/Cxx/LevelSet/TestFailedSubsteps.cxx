@@ -59,8 +59,8 @@ TEST(TestFailedSubsteps, AnErrorHalfWayKeepsTheLastSubstep)
   }
 }
 
-/** A moving ball, and others that appear near it. Each new leaf precedes its leaves in the tree.
- * The large ball contains leaves that are inside entirely. */
+/** A moving ball, and two balls that appear. New leaves precede the leaves of the moving ball in
+ * the tree. The large ball contains leaves that are entirely inside. */
 RegionTarget MakeBirths()
 {
   const auto ballsAt = [](double time)

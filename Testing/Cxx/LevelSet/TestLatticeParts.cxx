@@ -121,7 +121,7 @@ TEST(TestLatticeParts, BodiesAndHollowsAreCounted)
   EXPECT_EQ(nothing.Parts + nothing.Hollows, 0);
 }
 
-// The deepest points come first: a skin that contains a part contains these points first.
+// The deepest points come first: a skin that meets the part most likely contains these points.
 TEST(TestLatticeParts, SamplesBeginDeepInside)
 {
   const LatticeShape shape = MakeShape(24, MakeBallAt(0.0, 20.0));
@@ -234,7 +234,7 @@ TEST(TestLatticeParts, SurfaceIsInTheCellsOfBothSides)
   EXPECT_EQ(surface.Reach, 1.0) << "half of the longest side of a cell";
 }
 
-// A surface between tiles would be missed.
+// The search would miss a surface between two tiles, so the points are then unknown.
 TEST(TestLatticeParts, SurfaceOfBareTilesIsNotKnown)
 {
   LatticeShape shape;

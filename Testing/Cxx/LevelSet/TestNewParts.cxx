@@ -1,4 +1,4 @@
-// Parts of the target outside the reach of the skin, and hollows deep inside the skin, get a skin.
+// Parts of the target that the skin cannot reach, and hollows deep inside the skin, get a skin.
 
 #include "Support/RandomShapes.h"
 #include "Support/RegionTargets.h"
@@ -79,7 +79,7 @@ TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 
 // The nearest node is at most 0.87 voxel from the centre, and the radius grows by 0.1 voxel per
 // substep. The radius is at first within 1.1 voxels. The crossings on the edges of one node are
-// within a voxel of it.
+// within a voxel of this node.
 TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
 {
   constexpr double speed = 0.2;

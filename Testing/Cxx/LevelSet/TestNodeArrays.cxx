@@ -1,5 +1,5 @@
-// Storage for the nodes of some leaves: each leaf has its own, and keeps it when more leaves are
-// added.
+// Arrays of numbers at the nodes of leaves: each leaf has its own array, which keeps its values
+// when more leaves are added.
 
 #include "Leaves/NodeArrays.h"
 

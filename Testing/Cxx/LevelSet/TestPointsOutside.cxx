@@ -77,8 +77,8 @@ std::vector<PointWithMargin> MakePoints(double mostVoxels)
 
 }
 
-// Margins are within a voxel, within the band, and far beyond it. A shell has an outside in its
-// cavity.
+// Margins are within a voxel, within the band, and far beyond the band. A shell has an outside in
+// its cavity.
 TEST(TestPointsOutside, TheyAreThoseFarFromAllTriangles)
 {
   NarrowBand band(VoxelSizeOf(Nodes));

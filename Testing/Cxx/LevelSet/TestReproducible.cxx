@@ -1,4 +1,4 @@
-// The potential depends only on the times and the motion, to the bit. The number of threads,
+// The potential is bitwise identical for the same times and motion. The number of threads,
 // interruptions, the unit of length and earlier computations have no effect.
 
 #include "Support/RandomShapes.h"
@@ -36,7 +36,7 @@ Scene MakeScene(const char* name, double time, double attraction, double tension
   return scene;
 }
 
-/** Every kind of motion and every part of a substep. */
+/** Scenes that together use every kind of motion and every part of a substep. */
 std::vector<Scene> MakeScenes()
 {
   std::vector<Scene> scenes = { MakeScene("tracking", 0.6, 1.0, 0.0),
@@ -136,7 +136,7 @@ TEST(TestReproducible, AnyNumberOfThreadsGivesTheSameBytesAtRandom)
   CheckThreads({ start, torus });
 }
 
-// A processor without an instruction set uses the best one below it, which is then compared with
+// A processor without an instruction set uses the best set below; this set is then compared with
 // itself.
 TEST(TestReproducible, AnyInstructionSetGivesTheSameBytes)
 {

@@ -17,8 +17,8 @@ namespace TestRest
 constexpr double Pi = 3.14159265358979323846;
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
-// Advances a number of substeps of any length. In the steady state a substep is about 1 long: 1
-// over the target's slope.
+// Advances a number of substeps of any length. In the steady state the length of a substep is about
+// 1 / (slope of the target) = 1.
 void Settle(NarrowBand& band, Target& target, int substeps)
 {
   int asked = 0;
@@ -124,10 +124,11 @@ struct Journey
   Shape End;
 };
 
-// Without tension the surface ends on the target. A sample point is the crossing of a chord. If its
-// two nodes are right, it is off a curved surface by up to h / 8 r = 0.01 to 0.06 h, on average
-// 0.004 h. Normals are linear interpolations between central differences. Their error is 2 degrees
-// on average, and 9 near a tube of 4 voxels or an edge between two bodies.
+// Without tension the surface ends on the target. A sample point is the crossing of a chord. If the
+// values at both nodes are exact, the sample point is off a curved surface by up to h / 8 r = 0.01
+// to 0.06 h, on average 0.004 h. Normals are linear interpolations between central differences. The
+// error of normals is 2 degrees on average, and 9 degrees near a tube of 4 voxels or an edge
+// between two bodies.
 void CheckArrival(const Journey& journey)
 {
   const double h = VoxelSizeOf(40);

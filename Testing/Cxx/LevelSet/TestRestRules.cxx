@@ -1,5 +1,5 @@
-// Rules that detect converged leaves: the surface speed of a leaf, when it is recomputed, and from
-// which samples.
+// Rules that detect converged leaves: the surface speed of a leaf, when this speed is recomputed,
+// and from which samples.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -71,7 +71,7 @@ private:
 };
 
 // Edges end in the next leaf, whose nodes have edges of their own. A change between the last node
-// of one leaf and the first of the next affects both leaves, whichever of them has a known speed.
+// of one leaf and the first node of the next leaf invalidates the speeds of both leaves.
 TEST(TestRestRules, ForgetsWhereEdgesReach)
 {
   NarrowBand band(VoxelSize);

@@ -97,8 +97,8 @@ TEST(TestSettle, SettlingReportsProgressAndStops)
   EXPECT_EQ(report.Substeps, 3u) << "substeps";
 }
 
-// The lattice cannot represent noise of half a voxel's length. A part of the surface oscillates for
-// ever by more than the tolerance.
+// The lattice cannot represent noise of half a voxel's length. A part of the surface oscillates
+// forever by more than the tolerance.
 TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
 {
   const double h = VoxelSizeOf(40);
@@ -166,7 +166,7 @@ TEST(TestSettle, SleepDoesNotFreezeSlowMotion)
 }
 
 // The target extends through the wall. The surface ends on the target within and lies flat on the
-// wall. Its sharp rim is accurate to a tenth of a voxel, as well as a lattice can show it.
+// wall. The sharp rim is accurate to a tenth of a voxel, the resolution of a lattice.
 TEST(TestSettle, SurfaceRestsOnTheWall)
 {
   for (const int n : { 32, 64 })

@@ -176,7 +176,7 @@ std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
 }
 
 // On a surface of curvature radius r, the corners of a triangle are off its tangent plane by up to
-// d^2 / 2 r, d < 1.8 h. The triangle is tilted by that over its least altitude.
+// d^2 / 2 r, d < 1.8 h. The tilt of the triangle is this offset over its least altitude.
 void CheckOrientation(const Mesh& mesh, double curvatureRadius, double h, const std::string& name)
 {
   const double sagitta = 1.8 * 1.8 * h * h / (2.0 * curvatureRadius);
@@ -327,10 +327,9 @@ TEST(TestSkin, SkinIsClosedWhileItMoves)
     CheckVertices(band, mesh, name);
   }
 }
-// Nodes lie on the surface: a box with faces in planes of nodes, and a tilted plane through them
-// that contains single nodes. Twice the area of a triangle is at least the square of the least
-// distance of a vertex from a node. This is 2^-13 voxel, apart from the rounding of corners to
-// floats.
+// Nodes lie on the surface: in all faces of a box, and in tilted faces of an octahedron. Twice the
+// area of a triangle is at least the square of the least distance of a vertex from a node. This
+// distance is 2^-13 voxel, apart from the rounding of vertices to floats.
 TEST(TestSkin, NoTriangleIsWithoutAreaWhereNodesLieOnTheSurface)
 {
   constexpr double h = VoxelSizeOf(32);

@@ -46,7 +46,8 @@ TEST(TestSkinEvents, BodiesMergeAndSplit)
   CheckEvent(one, BallsAt({ { -0.25, 0.36 }, { 0.25, 0.36 } }), "");
 }
 
-// The second one is next to an unchanged body, and has not merged with it.
+// The body that vanishes in the second case is next to an unchanged body, with which it has not
+// merged.
 TEST(TestSkinEvents, BodiesVanish)
 {
   const Shape large = BallsAt({ { -0.4, 0.4 } });

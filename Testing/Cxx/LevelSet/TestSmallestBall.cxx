@@ -18,8 +18,9 @@ namespace
 constexpr double VoxelSize = 0.02;
 constexpr double LengthOfTension = 0.1; // sqrt(Tension / Attraction)
 
-// Advances by forty times 1 / Attraction. The remainder of a distance of 0.1 has then vanished, at
-// the rate of this steady state, 0.64, or with the delay by the fold at 2.83.
+// Advances by 40 / Attraction. A distance of 0.1 then vanishes, both at the rate of the steady
+// state above the fold, 0.64 Attraction, and with the delay below the fold, at a radius of 2.83
+// LengthOfTension.
 void Settle(NarrowBand& band, double radius)
 {
   constexpr double bounds[6] = { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 };

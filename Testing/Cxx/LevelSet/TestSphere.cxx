@@ -23,9 +23,9 @@ std::string Name(int n)
 }
 
 // The skin is inscribed. A right triangle with legs of one voxel h and corners on the sphere is
-// behind it by h^2 / 6 r on average. The volume is too small by h^2 / 2 r^2, 0.58 % at n = 32, the
-// area by half of that. Each doubling of n leaves a quarter. Triangles along a voxel's diagonals
-// are wider: 30 % more.
+// inside the sphere by h^2 / 6 r on average. The volume is too small by h^2 / 2 r^2, 0.58 % at n =
+// 32, the area by half of that. Each doubling of n leaves a quarter. Triangles along a voxel's
+// diagonals are wider: 30 % more.
 void CheckAreaAndVolume(int n, const Ball& ball, double areaTolerance, double volumeTolerance)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -81,9 +81,9 @@ TEST(TestSphere, BallHasExactRadius)
   }
 }
 
-// The number of layers around a surface is constant: nodes ~ n^2. They are counted on a lattice.
-// The curved ends of n/2 of their columns are off by about a node, 1/n of the count, and more for
-// the outer layers.
+// The number of layers around a surface is constant: nodes ~ n^2. The count on a lattice varies:
+// n/2 columns of nodes have curved ends, which are off by about a node, 1/n of the count. The outer
+// layers vary more.
 void CheckNodes(int n, const Ball& ball)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -139,9 +139,9 @@ TEST(TestSphere, DistancesHaveNoSeams)
   EXPECT_LT(GetLargestError(band, MakeBall(CentreA, Radius)), 0.001) << "error of a distance [h]";
 }
 
-// Two balls, each in a slab of its own, and a slab between them that contains both. The right one's
-// values may be 1e20 times the left one's. The left values then vanish by rounding in the shared
-// slab: an error of half a voxel at worst.
+// Two balls, each in a slab of its own, and a slab between them that contains both. The values of
+// the right ball may be 1e20 times those of the left ball. The left values then vanish by rounding
+// in the shared slab: an error of half a voxel at worst.
 TEST(TestSphere, BodiesFarApartAreBothThere)
 {
   const Shape left = MakeBall({ -0.513, 0.007, 0.011 }, 0.4);

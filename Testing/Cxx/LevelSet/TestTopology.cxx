@@ -1,5 +1,6 @@
-// Bodies, voids and handles follow those of the target. They split, merge, open and close by
-// themselves. They appear only where the surface can move to.
+// Bodies, voids and handles follow those of the target. Bodies split and merge, voids and handles
+// open and close, without special treatment. All of these appear only where the surface can move
+// to.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -136,7 +137,7 @@ TEST(TestTopology, OneOfTwoBallsVanishesAtRandom)
   CheckTopology(start, DrawBall(random, { { -0.4, 0.0, 0.0 }, 0.32 }), { 1, 0, 2 });
 }
 
-// No surface is there that could move to the void's.
+// No surface could move to the surface of the void.
 TEST(TestTopology, VoidOfTheTargetAloneIsNotMade)
 {
   CheckTopology(MakeBall(Origin, 0.6), MakeShell(0.7, 0.3), { 1, 0, 2 });

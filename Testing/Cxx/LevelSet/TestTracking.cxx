@@ -111,8 +111,8 @@ void CheckJourney(int n, double from, const Shape& to, double time, double exact
   EXPECT_LT(slopes.Maximum, 1.5) << "largest slope, " << name;
 }
 
-// Ten voxels and more at the largest time step, 20 to 60 substeps: transport and the relaxation of
-// the slope share them, and any instability has grown without bound. Tolerances are those of the
+// Ten voxels and more at the largest stable time step, which advection and reinitialisation share.
+// In 20 to 60 substeps any instability would grow without bound. Tolerances are those of the
 // uniform speed. An Euler step of h/2 lags behind e^(-t) by t h / 4.
 TEST(TestTracking, LongJourneyLeavesABallSmooth)
 {
@@ -247,7 +247,7 @@ void CheckSlope(const ShapeTarget::Trajectory& trajectory, const std::string& na
 }
 
 // The potential is useful only while its slope is near 1. Below 0.5 a sample point is ill
-// determined. Above 1.5 the time step no longer prevents it from crossing two voxels.
+// determined. Above 1.5 the time step no longer prevents a sample point from crossing two voxels.
 TEST(TestTracking, SlopeStaysNearOneWhileMoving)
 {
   const Point centre = { 0.01, 0.02, -0.013 };
