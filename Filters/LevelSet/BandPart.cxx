@@ -133,7 +133,8 @@ private:
   std::int64_t Sum = 0;
 };
 
-/** Sends the first vertices of own leaves to the ranks around them; returns the received ones. */
+/** Sends the first vertices of own leaves to the ranks of neighbour leaves; returns those received.
+ */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
   std::vector<std::vector<BandPart::LeafVertices>> toEach(

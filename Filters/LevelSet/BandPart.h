@@ -1,6 +1,6 @@
 /**
- * Partition of a band among ranks: each rank has its own leaves, and a halo of other ranks' leaves
- * around them.
+ * Partition of a band among ranks: each rank has its own leaves, and a halo: leaves of other ranks
+ * next to its own leaves.
  */
 #ifndef BandPart_h
 #define BandPart_h

@@ -54,9 +54,10 @@ struct BandState
   /** Replaces the potential. The layers are derived from the signs; in the paper's scheme, from the
    * active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** Replaces the potential; ghosts follow from its active nodes. */
+  /** Replaces the potential and the layers; computes ghosts from the active nodes, if HasGhosts. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  /** Sets the whole band of which the leaves are a part. Call before the leaves are replaced. */
+  /** Sets the band that is partitioned; null: the band is whole. Call before the leaves are
+   * replaced. */
   void SetPart(const std::shared_ptr<const BandPart>& part);
   /** Creates the ghosts, which substeps need. */
   void AddGhosts();
@@ -87,7 +88,8 @@ struct BandState
    * and count as the values at the start. */
   void Confine(const Walls& walls, Obstacle* obstacle);
 
-  /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels. */
+  /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels, or
+   * 12 voxels in the node scheme. */
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
 
@@ -112,7 +114,7 @@ private:
 
   /** Finds layers and ghosts from the potential. */
   void RebuildBand(ActiveSet& set);
-  /** Drops empty leaves if there are many; counts the crossings. */
+  /** Drops empty leaves if more than an eighth of all leaves are empty; counts the crossings. */
   void DropEmptyLeaves();
   /** Converts the band to the scheme of this motion: this library's or the paper's. */
   void SwitchScheme(const Motion& motion);

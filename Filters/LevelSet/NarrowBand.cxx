@@ -146,7 +146,8 @@ void NarrowBand::RestoreTargets(const Motion& motion)
     [&]
     {
       members.AddGhosts();
-      // Each pass moves at most 1.5 voxels. The loop ends at the value, or without progress.
+      // A pass moves the surface by a limited distance. The loop ends when a pass gains less than 1
+      // %.
       double before = HUGE_VAL;
       for (double left = missing(); std::fabs(left) < 0.99 * before; left = missing())
       {

@@ -10,9 +10,9 @@
  * SIGN: phi is NEGATIVE INSIDE; n points outward; V > 0 inflates. The paper's f is -phi up to
  * scale.
  *
- * STORAGE: an openvdb::FloatGrid of u = phi / VoxelSize. Node (i,j,k) is at world position (i,j,k)
- * * VoxelSize, so lattices of the same VoxelSize coincide in all runs. The grid's own transform is
- * the identity, because OpenVDB rejects voxels below about 1e-5 in any unit.
+ * STORAGE: an openvdb::FloatGrid of u = phi / VoxelSize. The world position of node (i,j,k) is
+ * VoxelSize times (i,j,k), so lattices of the same VoxelSize coincide in all runs. The grid's own
+ * transform is the identity, because OpenVDB rejects voxels below about 1e-5 in any unit.
  *
  * Layer 0 consists of the corners of the voxels that the surface crosses. Layer m consists of the
  * 6-neighbours of layer m - 1 that are in no smaller layer. Layers 0..2 are active in the grid.
@@ -102,7 +102,7 @@ public:
   void MakeWhole();
   ///@}
 
-  /** Number of threads for TBB, at most 1024; 0: all. The result does not depend on it. */
+  /** Number of threads for TBB, at most 1024; 0: all. Results do not depend on this number. */
   void SetNumberOfThreads(int threads);
 
   /**

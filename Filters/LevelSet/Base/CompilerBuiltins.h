@@ -17,7 +17,7 @@
 #define ACTIVE_FOR_AVX512
 #endif
 
-// ACTIVE_ALWAYS_INLINE is for functions, ACTIVE_INLINED for lambdas, after their parameters. A
+// ACTIVE_ALWAYS_INLINE precedes a function, ACTIVE_INLINED follows the parameters of a lambda. A
 // function that a kernel calls gets the instruction set of the kernel only if it is inlined into
 // the kernel.
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))

@@ -21,7 +21,7 @@ using Lanes = float __attribute__((vector_size(32)));
 using LaneMask = std::int32_t __attribute__((vector_size(32))); //< -1: true, 0: false
 
 /** Sets all lanes to x in a loop. GCC compiles Lanes{ x, x, ... } for the baseline instruction set
- * before inlining; this code goes through memory and is four times as slow. */
+ * before inlining; that code goes through memory and is four times as slow. */
 ACTIVE_ALWAYS_INLINE Lanes AllLanes(float x)
 {
   Lanes all;

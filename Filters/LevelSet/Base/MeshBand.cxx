@@ -32,8 +32,8 @@ LatticeTriangles::~LatticeTriangles() = default;
 
 MeshBand MakeMeshBand(const LatticeTriangles& mesh, float halfWidth, bool isSigned)
 {
-  // Renormalisation, which is meant for meshes that intersect themselves, is disabled: at concave
-  // edges it would move the surface by up to a voxel.
+  // Renormalisation is disabled: it is meant for meshes that intersect themselves, and would move
+  // the surface by up to a voxel at concave edges.
   const int flags = openvdb::tools::DISABLE_RENORMALIZATION |
     (isSigned ? 0 : openvdb::tools::UNSIGNED_DISTANCE_FIELD);
   MeshBand band;

@@ -1,5 +1,5 @@
 /**
- * Distances to triangles at nodes near them, by OpenVDB's converter. Only this library compiles the
+ * Distances of nodes to nearby triangles, by OpenVDB's converter. Only this library compiles the
  * converter, because its compilation needs half a minute.
  */
 #ifndef MeshBand_h

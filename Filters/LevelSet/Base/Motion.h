@@ -70,12 +70,13 @@ struct Motion
   double Tension = 0.0;
 
   /**
-   * Fraction of the target's own velocity that carries the surface, in [0,1]. With 1 the surface
-   * follows the target's velocity without a lag, at any Attraction. Not in the paper's scheme.
+   * Fraction of the target's velocity with which the surface is carried, in [0,1]. With 1 the
+   * surface follows the target without a lag, at any Attraction. Used only by
+   * TimeIntegration::Nodes.
    */
   double Transport = 0.0;
 
-  /** If true, the target's weights multiply Tension. Not in the paper's scheme. */
+  /** If true, the target's weights multiply Tension. Used only by TimeIntegration::Nodes. */
   bool WeightedTension = false;
 
   /**
@@ -181,7 +182,7 @@ struct AdvanceReport
   double MovingDistance = 0.0; //< likewise, but mean displacement [voxels]
 };
 
-/** Receives the completed fraction, in [0,1], before each substep; returns false to stop there. */
+/** Receives the completed fraction, in [0,1], before each substep; returns false to cancel. */
 using ProgressFunction = std::function<bool(double)>;
 
 }

@@ -48,7 +48,7 @@ struct Neighbours
 
 }
 
-/** Active nodes and tiles are known; in the tiles the obstacle has no effect. */
+/** Depths at active nodes are known. In active tiles the obstacle has no effect. */
 struct Obstacle::SampledDepths
 {
   openvdb::FloatTree::Ptr Tree = std::make_shared<openvdb::FloatTree>(Nowhere);

@@ -2,9 +2,8 @@
  * A solid that the surface may not enter, sampled at the nodes of the lattice.
  *
  * The depth of a node is minus the signed distance to the obstacle: positive inside, exact to first
- * order near the obstacle's surface. A depth depends only on the function. The obstacle does not
- * change, so the depths of a leaf are sampled once and stored. An obstacle has no effect at nodes
- * more than Reach voxels outside.
+ * order near the obstacle's surface. The obstacle does not change, so the depths of a leaf are
+ * sampled once and stored. An obstacle has no effect at nodes more than Reach voxels outside.
  */
 #ifndef Obstacle_h
 #define Obstacle_h
@@ -45,7 +44,8 @@ public:
   bool IsKnown(const LeafOrigin& origin) const;
 
   /** Returns the depths [voxels] at the 512 nodes of a sampled leaf, or null if the obstacle has no
-   * effect at any of them. At a node without effect, the depth is below all values of the band. */
+   * effect at any node of the leaf. At a node without effect, the depth is below all values of the
+   * band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
   /** Returns the depth at a point [world units], interpolated linearly between nodes; -infinity

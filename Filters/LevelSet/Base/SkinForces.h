@@ -1,5 +1,5 @@
 /**
- * Inputs of the speed of the skin, except the surface.
+ * Inputs of FindSpeeds (SkinMotion.h), except the surface.
  */
 #ifndef SkinForces_h
 #define SkinForces_h

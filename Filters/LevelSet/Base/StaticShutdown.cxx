@@ -12,7 +12,8 @@ namespace
 std::atomic<bool> IsExiting{ false };
 
 /** A static object that is constructed after TBB's static objects, and therefore destroyed before
- * them. Trees released after its destruction are leaked, because freeing a tree needs TBB. */
+ * TBB's. Trees released after the sentinel's destruction are leaked, because freeing a tree needs
+ * TBB. */
 struct ExitSentinel
 {
   ~ExitSentinel() { IsExiting = true; }

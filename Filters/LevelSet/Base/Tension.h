@@ -12,8 +12,8 @@
 namespace activesurface
 {
 
-/** Rate of tension in the limit of an explicit step: the step is stable up to 1 / (sum of the rates
- * of all terms). */
+/** Part of tension in the rate that limits an explicit step: the step is stable up to 1 / (sum of
+ * the rates of all terms). */
 inline double TensionRate(double tension, double voxelSize)
 {
   return 4.0 * std::fabs(tension) / (voxelSize * voxelSize);

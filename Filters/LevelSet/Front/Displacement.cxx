@@ -139,7 +139,7 @@ namespace
 constexpr std::size_t FirstWindow = 16; // substeps
 constexpr double LeastDecay = 8.0;
 constexpr double MostMean = .25;                    // voxels
-constexpr double LeastRatio = .5, MostRatio = 1.25; // of a mean to the usual mean
+constexpr double LeastRatio = .5, MostRatio = 1.25; // of a mean to the two means before
 
 }
 
@@ -167,7 +167,7 @@ void SteadyWindow::Observe(const LeafTable& table, double time, double attractio
   const auto [share, mean] = this->Since.GetStatistics(table, SteadyStateCriterion::Still);
   this->Share = share;
   const bool isLong = attraction * (time - this->BeganAt) >= LeastDecay;
-  // The first comparisons are with NaN and return false.
+  // In the first windows, the comparisons are with NaN and return false.
   const bool fewMove = this->Share <= SteadyStateCriterion::FewMoving && this->Share >= .5 * before;
   const double usual = .5 * (this->Mean + this->MeanBefore);
   const bool swings = mean <= MostMean && mean >= LeastRatio * usual && mean <= MostRatio * usual;

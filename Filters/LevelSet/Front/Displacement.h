@@ -87,7 +87,7 @@ private:
   Displacement Since;
   double BeganAt = 0.0;
   std::size_t Substeps = 0; //< observed
-  std::size_t End = 0;      //< of the window [substeps]
+  std::size_t End = 0;      //< value of Substeps at the end of the window
   double Share = std::numeric_limits<double>::quiet_NaN();
   double Mean = std::numeric_limits<double>::quiet_NaN(); //< of the last window
   double MeanBefore = std::numeric_limits<double>::quiet_NaN();

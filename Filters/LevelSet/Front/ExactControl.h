@@ -26,15 +26,14 @@ struct ControlledBand
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< limit of the displacement [1.5 voxels]; more than 1 for long substeps
+  int Rounds = 1; //< the displacement is at most 1.5 Rounds; more than 1 for long substeps
 };
 
 /** Moves the surface, by at most 1.5 Rounds voxels, until the relative error of the volume is 1e-9.
  */
 void RestoreVolume(const ControlledBand& band, double volume);
 
-/** Restores the area by the secant method: the gain of area per displacement may have either
- * sign. */
+/** Like RestoreVolume, for the area. The gain of area per displacement may have either sign. */
 void RestoreArea(const ControlledBand& band, double area);
 
 }

@@ -40,7 +40,7 @@ struct PaperLimits
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers);
 
-/** Equations (6) and (7). boxSize: longest side of the box of unit size. */
+/** Equations (6) and (7). boxSize: longest side of the bounds, the unit of length of |grad f|. */
 double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize, double boxSize);
 
 /** Sets Next from the complete speed. advection: dt / h. */

@@ -112,7 +112,8 @@ private:
   }
 };
 
-/** Numbers the points after the existing ones and allocates their samples. Returns their number. */
+/** Numbers the points after existing points, and allocates their samples. Returns the number of new
+ * points. */
 std::size_t NumberSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
@@ -148,7 +149,7 @@ void RunSamples(const SampledLattice& lattice, const LeafList& leaves, const Ker
   }
 }
 
-/** Adds the samples of leaves that have none. */
+/** Adds the samples of leaves without samples. */
 TargetSamples AddSamples(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers)
 {

@@ -65,7 +65,8 @@ public:
     }
   }
 
-  /** Bit c set: corner c = 4 x + 2 y + z of the voxel with this lower corner is inside. */
+  /** Returns the inside corners of the voxel with this lower corner; bit c: corner c = 4 x + 2 y +
+   * z. */
   ACTIVE_ALWAYS_INLINE unsigned Corners(int node) const
   {
     const int x = node >> 6, y = (node >> 3) & 7, z = node & 7;

@@ -1,8 +1,8 @@
 /**
  * One forward Euler step of the potential at the active nodes, in one sweep over the leaves:
  *
- *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences, Godunov's
- *                                             choice; or central differences
+ *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences and
+ *                                             Godunov's scheme, or central differences
  *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *

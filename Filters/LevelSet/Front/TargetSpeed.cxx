@@ -59,7 +59,7 @@ float LargestOf(const float* speed, const LeafMask& nodes)
   return largest;
 }
 
-/** Sets the speeds that follow from the samples of a leaf, and the largest of them. */
+/** Sets the speeds at the nodes with samples in a leaf, and the largest of these speeds. */
 struct ApplyLeafSamples
 {
   const LeafTable& Table;
@@ -253,7 +253,7 @@ void ApplySamples(
   ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
 }
 
-// Extended speeds are means of known speeds, so they are no larger.
+// Extended speeds are means of known speeds, so the largest speed of all leaves stays the same.
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {

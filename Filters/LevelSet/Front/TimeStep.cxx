@@ -80,7 +80,8 @@ double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& 
   return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
-// Adds the rates of all terms; with only the largest the skin would flicker at a steady state.
+// Adds the rates of all terms; with only the largest rate, the skin would flicker at a steady
+// state.
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty)
 {
@@ -171,7 +172,7 @@ void CheckBounded(bool isUnbounded, double time)
   }
 }
 
-// A step may exceed single precision; the speed is then 0 in single precision.
+// If step / voxelSize exceeds the range of floats, all speeds are 0 in single precision.
 float AdvectionFactor(double step, double voxelSize)
 {
   constexpr double most = std::numeric_limits<float>::max();

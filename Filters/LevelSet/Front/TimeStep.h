@@ -32,14 +32,15 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
-/** Rate at which tracking the target limits the time step. */
+/** Part of the target's speed and slope in the rate that limits the time step [1/time]. */
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
 
 /** The largest stable step; infinite if nothing moves. */
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty);
 
-/** The coefficient q of the reinitialisation term. */
+/** The coefficient q of reinitialisation. tracking: TrackingRate * step; advection: voxels per
+ * step. */
 double RelaxationFor(double tracking, double advection);
 
 /** Throws std::invalid_argument for invalid parameters. */

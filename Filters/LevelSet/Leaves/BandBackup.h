@@ -15,7 +15,7 @@ public:
   /** Drops the copy. */
   void Forget() { this->Tree.reset(); }
 
-  /** Copies the tree unless a copy is kept. */
+  /** Copies the tree unless there is a copy. */
   void Keep(const PotentialTree& tree);
 
   /** Returns the copy, or null. */

@@ -116,7 +116,7 @@ struct CrossedVoxels
     return corners;
   }
 
-  /** The crossed voxels of the first, of all and of the last rows, in x and in y. */
+  /** The crossed voxels of the first row, of all rows and of the last row, along x and along y. */
   struct Shadows
   {
     unsigned Of[3][3] = {}; //< first, all, last

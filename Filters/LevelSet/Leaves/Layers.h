@@ -27,7 +27,8 @@ void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 /** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns their number. */
 std::size_t NumberCrossings(LeafTable& table);
 
-/** Copy the active masks from the leaves of the tree, or to them. */
+/** ReadActiveMasks copies the active masks from the leaves of the tree, WriteActiveMasks to the
+ * leaves. */
 void ReadActiveMasks(LeafTable& table);
 void WriteActiveMasks(const LeafTable& table);
 

@@ -76,7 +76,7 @@ private:
   /** Offset of a row in the block; x and y are relative to the leaf. */
   static constexpr int PlaceOf(int x, int y) { return (x + Halo) * X + (y + Halo) * Y + Halo; }
 
-  /** The rows of a leaf; a missing leaf has the background row for all of them. */
+  /** The rows of a leaf; a missing leaf has the background row for all rows. */
   struct Rows
   {
     const float* First;

@@ -1,5 +1,5 @@
 /**
- * One bit per node of a leaf, and the bits of its 6-neighbours.
+ * Masks with one bit per node of a leaf, and shifts to neighbour nodes.
  *
  * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, as in OpenVDB. A mask is
  * shifted by some nodes together with the mask of the neighbour leaf, which supplies the missing

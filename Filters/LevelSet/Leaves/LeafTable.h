@@ -57,8 +57,8 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** The speed in a leaf. The speed is valid until the leaf or a neighbour is updated, or the target
- * changes there. */
+/** The speed in a leaf, valid until the leaf or a neighbour is updated, or the target changes near
+ * the leaf. */
 struct LeafSpeed
 {
   bool IsKnown = false;
@@ -219,7 +219,7 @@ public:
     return count;
   }
 
-  /** Sets the value of all nodes beyond the layers; inside the surface it is negated. */
+  /** Sets the value of nodes beyond the layers: `value` outside the surface, -value inside. */
   void SetBackground(float value)
   {
     this->Background[0].fill(value);

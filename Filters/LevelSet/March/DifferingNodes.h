@@ -55,8 +55,8 @@ public:
   DifferingNodes(const DifferingNodes&) = delete; // the accessor belongs to this tree
   void operator=(const DifferingNodes&) = delete;
 
-  /** Adds a node that was not found from the surface, and all nodes connected with it. Returns
-   * false if the node was found before or does not differ. */
+  /** Adds a differing node that was not found from the surface, and all differing nodes connected
+   * with this node. Returns false if the node was found before or does not differ. */
   bool AddFrom(const openvdb::Coord& place);
   /** Returns the given nodes that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;

@@ -229,8 +229,8 @@ private:
 
   const ArrivalSearch& Search;
   DifferingNodes& Nodes;
-  std::size_t Known = this->Nodes.Size(); //< number of nodes that have a core
-  std::vector<int> Layer;                 //< layer of a part's node, from the border; otherwise -1
+  std::size_t Known = this->Nodes.Size(); //< nodes found from the surface, or with a core
+  std::vector<int> Layer;                 //< of a node, from the border of its part; -1: unknown
   std::vector<PartCore> Cores;
 };
 

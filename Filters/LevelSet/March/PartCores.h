@@ -1,6 +1,5 @@
 /**
- * Cores of parts and voids that only the target has. A surface grows from each core until it
- * arrives.
+ * Cores of parts and voids that only the target has. From each core a surface grows to the target.
  */
 #ifndef PartCores_h
 #define PartCores_h
@@ -12,7 +11,7 @@
 namespace activesurface
 {
 
-/** A ball at the deepest point of a part, inside the target, or of a void, outside the target. */
+/** A ball at the deepest point of a part (inside the target) or of a void (outside the target). */
 struct PartCore
 {
   std::array<double, 3> Centre;

@@ -206,8 +206,8 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** Returns `detour`, the excess of d(x,y) over `gain` = T(y) - T(x), if the detour is small: x is
- * then a bump on the surface. Returns 0 for a large detour: x is then beside the path. */
+/** Returns `detour`, the excess of d(x,y) over `gain` = T(y) - T(x), up to 0.1 gain: x is then on a
+ * bump of the surface. Returns 0 from 0.3 gain on: x is then beside the path. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain

@@ -37,7 +37,7 @@ class NodeLeaves
 {
 public:
   /** own: number of this rank's leaves, which come first. isInside(origin): side of a leaf that is
-   * not in the shell; several threads call it at once if isThreadSafe. */
+   * not in the shell; several threads call isInside at once if isThreadSafe. */
   template <class IsInside>
   void Adopt(
     const std::vector<ShellLeaf>& shell, std::size_t own, bool isThreadSafe, IsInside&& isInside)

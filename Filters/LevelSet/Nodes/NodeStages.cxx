@@ -36,7 +36,8 @@ constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 /** If attraction and tension are out of balance by less than Imbalance times the noise, both rates
  * are reduced to the fraction SlowestShare of the attraction. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
-/** Weight of tension as a function of bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
+/** Weight of tension: the bulk times a factor that is TensionOfHalf up to FullFrom, 1 from FullTo
+ * on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
 struct DistanceKernel

@@ -112,7 +112,7 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   this->IsStill.assign(count, 0);
 }
 
-/** Writes G to Room; rows outside the shell get + or - 1. */
+/** Writes the target's potential G (NodeStages.h) to Room; rows outside the shell get + or - 1. */
 void NodeStep::Evaluate(const NodeTarget& target)
 {
   this->Leaves.ForEach(

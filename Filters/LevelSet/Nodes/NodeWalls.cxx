@@ -149,7 +149,7 @@ bool NodeStep::IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const
 }
 
 /** Shifts a surface that is near a wall onto the wall, where the surface is then flat. The sides of
- * a periodic box do not count as walls. gap: see NodeTarget. Overwrites Psi. */
+ * a periodic box do not count as walls. gap: NodeTarget::GetWallGap. Overwrites Psi. */
 void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap)
 {
   if (!motion.Box.Present || !(gap > 0.f))

@@ -68,8 +68,8 @@ public:
   }
 
 private:
-  /** Returns the repeated coordinate. Differences of 1e-6 from sides and nodes
-   * are rounding. */
+  /** Returns the repeated coordinate. Coordinates within 1e-6 of a side or a node count as on the
+   * side or the node. */
   double Wrap(int axis, int node) const
   {
     constexpr double rounding = 1e-6;

@@ -41,7 +41,8 @@ double Sum(Iterator begin, Iterator end)
     begin, end, 0.0, [](double sum, const LeafCost& leaf) { return sum + leaf.Cost; });
 }
 
-/** Selects sorted costs at equal steps: returns at most `most` leaves of one cost. */
+/** Selects leaves at equal steps of the cumulated costs; returns at most `most` leaves of equal
+ * cost. */
 std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 {
   const double each = Sum(costs.begin(), costs.end()) / static_cast<double>(most);

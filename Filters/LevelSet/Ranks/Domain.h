@@ -86,7 +86,7 @@ private:
 
   const Agreement Ranks;
   std::vector<Cut> Cuts;         // of ranks [first, last): at the index of the middle rank
-  std::vector<NodeIndex> Firsts; // first leaf of each counter but rank 0, in the order of the tree
+  std::vector<NodeIndex> Firsts; // first leaf that each of the ranks 1, 2, ... counts
 };
 
 }

@@ -150,7 +150,7 @@ struct Slab
   }
 };
 
-/** Returns slabs of at least 1000 leaves and 6 planes; the last one may be smaller. */
+/** Returns slabs of at least 1000 leaves and 6 planes; the last slab may be smaller. */
 std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
 {
   constexpr int fewestLeaves = 1000;

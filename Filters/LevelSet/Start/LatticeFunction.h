@@ -32,8 +32,8 @@ public:
   }
 
   /**
-   * Evaluates the function at some nodes of the leaf at an origin. Other values of the 512 are
-   * unchanged.
+   * Evaluates the function at `nodes` of the leaf at an origin. Values at other nodes of the leaf
+   * are unchanged.
    */
   void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
 

@@ -30,8 +30,8 @@ int FindRings(const SurfacePoints& surface, double voxelSize)
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;
 }
 
-/** Adds the nodes near the surface points. Assumes that each point represents a surface of Reach *
- * Reach, to reject too many nodes before they are created. */
+/** Adds the nodes near the surface points. Rejects too many nodes before creating all of them: each
+ * point counts as a surface area of Reach * Reach. */
 void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximumNumberOfActiveVoxels, openvdb::MaskTree& wanted)
 {
@@ -112,7 +112,7 @@ void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& 
   }
 }
 
-/** Nodes to be sampled, and masks of the inside ones. */
+/** Nodes to be sampled, and masks of the inside nodes. */
 struct Samples
 {
   LeafSigns Nodes;

@@ -116,7 +116,8 @@ void NewParts::AddNext(std::size_t begin, std::size_t end)
   }
 }
 
-/** Removes voids that contain no node with six neighbours of the void around it. */
+/** Removes voids without a node whose six neighbours, `steps` nodes away along the axes, are in the
+ * void. */
 void NewParts::RemoveNarrowHollows(int steps)
 {
   std::vector<LeafMask> kept(this->Nodes.Size());

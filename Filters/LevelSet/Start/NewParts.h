@@ -30,10 +30,11 @@ public:
    * potential. Throws like RefuseManyLeaves. */
   NewParts(const PartSearch& search, const Target& target);
 
-  /** Adds the nodes that change sides: nodes inside the skin, or nodes outside. */
+  /** Adds the nodes that change sides: nodes inside the skin if areInside, otherwise nodes outside.
+   */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
 
-  /** Number of parts, connected along edges. Parts smaller than a node are not counted. */
+  /** Number of parts, connected along edges. A part without a node is not counted. */
   std::size_t Count() const;
 
 private:

@@ -91,7 +91,7 @@ private:
 
   /**
    * Adds the tiles in the box of all leaves and inside nodes; tiles outside the box are background.
-   * A child of the root has 32^3 tiles, and eight such children meet at the origin.
+   * The box limits the number of tiles: a child of the root has 32^3 tiles.
    */
   void AddTiles(const openvdb::MaskTree& inside)
   {
@@ -137,7 +137,7 @@ private:
   }
 
   /** Joins the components of a block with the components across a face. Does nothing if the block
-   * across the face is smaller, because the smaller block joins these components. */
+   * across the face is smaller, because the call for the smaller block joins these components. */
   void Connect(std::int32_t block, int axis, int sign)
   {
     const Block& own = this->Blocks[block];
@@ -211,7 +211,7 @@ struct Piece
   openvdb::Coord Origin;
   std::int32_t Size;
   LeafMask Nodes;
-  openvdb::Coord Sample; // its deepest node that is nearest to the centre
+  openvdb::Coord Sample; // of the deepest nodes, the node nearest to the centre
   int Depth;
 
   Piece(const Component& component, const Block& block)

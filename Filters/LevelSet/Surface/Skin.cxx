@@ -88,8 +88,8 @@ private:
 
 /** Returns the least distance of a vertex from the ends of its edge [voxels]. Without this
  * distance, all vertices on the edges of a node where the potential is 0 would coincide, and their
- * triangles would have no area. At the coordinate c, rounding moves a vertex by at most c * epsilon
- * / 2. Vertices 2 c * epsilon or farther from the node therefore stay apart, and triangles keep
+ * triangles would have no area. At the coordinate c, rounding moves a vertex by at most half of c *
+ * epsilon. Vertices at least 2 c * epsilon from the node therefore stay apart, and triangles keep
  * their orientation. */
 template <class Number>
 double MarginOfVertices(std::int64_t farthestNode)

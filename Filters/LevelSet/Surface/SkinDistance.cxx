@@ -89,12 +89,12 @@ struct SkinDistance::State
   PotentialTree Potential;
   PotentialTree GradientNorms;
   openvdb::CoordBBox Crossed; //< corners of the crossed voxels
-  openvdb::CoordBBox Leaves;  //< contains everything inside
+  openvdb::CoordBBox Leaves;  //< box of all leaves; contains all inside nodes
 };
 
 void SkinDistance::State::ReadLeaves(const LeafTable& table)
 {
-  // Both are copies of one tree, so their leaves are in the order of the table.
+  // Both trees are copies of one tree, so their leaves are in the order of the table.
   std::vector<PotentialLeaf*> potential, norms;
   this->Potential.getNodes(potential);
   this->GradientNorms.getNodes(norms);

@@ -62,7 +62,8 @@ private:
  * Writes the signed distance to the surface [world units], negative inside, at the lattice nodes
  * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest. The distance is the
  * potential divided by its gradient norm. This first-order distance is exact at the surface, and
- * good within about 1.5 voxels. It is clamped to +-HalfWidth voxels, the value beyond the band.
+ * good within about 1.5 voxels. The distance is clamped to +-HalfWidth voxels, the value beyond the
+ * band.
  */
 ACTIVELEVELSET_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);

@@ -238,7 +238,8 @@ public:
   }
 
 private:
-  /** Calls visit(corner) for each triangle of this rank; corner: the first of three. */
+  /** Calls visit(corner) for each triangle of this rank; corner: index of the first of three
+   * corners. */
   template <class Visit>
   void ForEachTriangle(Visit&& visit) const
   {

@@ -24,7 +24,7 @@ struct SkinPart
   double Area = 0.0;                    //< world units
   double Volume = 0.0;                  //< enclosed; negative for a void
   std::int64_t EulerCharacteristic = 0; //< 2 - 2 * handles
-  std::vector<PartBlock> Blocks;        //< blocks that contain its vertices, ascending
+  std::vector<PartBlock> Blocks;        //< blocks that contain vertices of the part, ascending
 
   bool IsVoid() const { return !(this->Volume > 0.0); }
 };
