@@ -78,7 +78,6 @@ inline void AddBitsRelaxed(std::uint64_t bits, std::uint64_t* to)
   }
 }
 
-/** Prefetches the cache line of an address. */
 ACTIVE_ALWAYS_INLINE void Prefetch(const void* address)
 {
   __builtin_prefetch(address);

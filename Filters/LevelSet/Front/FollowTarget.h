@@ -29,7 +29,6 @@ struct FollowingBand
 TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
   const Target& target, AdvanceReport& report);
 
-/** Extends speeds to the active nodes of the affected leaves. */
 void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion);
 
 }

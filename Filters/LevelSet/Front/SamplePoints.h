@@ -15,7 +15,6 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** Result of SampleLeaves. */
 struct TargetSamples
 {
   std::size_t Count = 0;

@@ -128,7 +128,6 @@ ACTIVE_ALWAYS_INLINE void ForEachCrossedVoxel(
   signs.Crossed().ForEach([&](int node) ACTIVE_INLINED { function(node, signs.Corners(node)); });
 }
 
-/** One crossed edge of a leaf's voxels. */
 struct CrossedEdge
 {
   int Axis;

@@ -10,14 +10,12 @@
 namespace activesurface
 {
 
-/** Limits that the target puts on the step. */
 struct TargetLimits
 {
   double Speed = 0.0;       //< largest |target speed| [length/time]
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** Effect of the penalties. */
 struct PenaltyForce
 {
   double Speed = 0.0; //< uniform, outward [length/time]

@@ -12,13 +12,11 @@ namespace activesurface
 class BandBackup
 {
 public:
-  /** Drops the copy. */
   void Forget() { this->Tree.reset(); }
 
   /** Copies the tree unless there is a copy. */
   void Keep(const PotentialTree& tree);
 
-  /** Returns the copy, or null. */
   openvdb::FloatTree::Ptr Get() const { return this->Tree; }
 
 private:

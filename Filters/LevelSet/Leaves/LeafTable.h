@@ -192,14 +192,13 @@ public:
   /** Step for offsets of at most 8 on each axis (including edge and corner neighbours). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
-  /** Calls function(i) for every leaf, in parallel. */
+  /** Calls function(i) for every leaf, or for the leaves of a list, in parallel. */
   template <class Function>
   void ForEach(Function&& function) const
   {
     ForRange(this->Leaves.size(), function);
   }
 
-  /** Calls function(i) for the leaves of a list, in parallel. */
   template <class Function>
   void ForEach(const LeafList& leaves, Function&& function) const
   {

@@ -20,7 +20,6 @@
 namespace activesurface
 {
 
-/** Centre of a leaf. */
 inline NodeIndex CentreOf(const NodeIndex& origin)
 {
   return { origin[0] + 4, origin[1] + 4, origin[2] + 4 };

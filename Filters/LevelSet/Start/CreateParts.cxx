@@ -75,7 +75,6 @@ void JoinTiles(const NewBand& added, PotentialTree& tree)
   }
 }
 
-/** Appends the changed leaves to a list. */
 void Join(const NewBand& added, PotentialTree& tree, std::vector<openvdb::Coord>& changed)
 {
   if (!added.Band)

@@ -25,7 +25,6 @@ namespace activesurface
 namespace
 {
 
-/** Motion at the vertices. */
 struct VertexMotion
 {
   std::vector<double> Points;        //< x y z of each vertex
