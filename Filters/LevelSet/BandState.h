@@ -56,8 +56,8 @@ struct BandState
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential and the layers; computes ghosts from the active nodes, if HasGhosts. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  /** Sets the band that is partitioned; null: the band is whole. Call before the leaves are
-   * replaced. */
+  /** Sets the totals of a partitioned band; null: the band is whole. Call before replacing the
+   * leaves. */
   void SetPart(const std::shared_ptr<const BandPart>& part);
   /** Creates the ghosts, which substeps need. */
   void AddGhosts();

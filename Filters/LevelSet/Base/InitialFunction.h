@@ -26,7 +26,8 @@ struct SurfacePoints
   /** Box that contains all points where the function is negative. */
   double Bounds[6] = {};
 
-  /** Largest distance inside the bounds of the start at which walls may cut the shape [length]. */
+  /** Largest distance between a face of the start's bounds and a wall that cuts the shape [length].
+   */
   double DepthOfWalls = 0.0;
 };
 

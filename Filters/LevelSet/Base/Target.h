@@ -67,8 +67,8 @@ public:
   }
 
   ///@{
-  /** Visits the regions of the sources `first` to `end` - 1. A source, for example a particle, has
-   * any number of boxes. Thread-safe. */
+  /** CountRegionSources returns the number of sources of regions, for example particles.
+   * VisitRegions visits all regions of the sources `first` to `end` - 1. Thread-safe. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
   {

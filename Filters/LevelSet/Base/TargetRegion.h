@@ -37,8 +37,8 @@ using RegionVisitor = std::function<void(const TargetRegion&)>;
 using PointVisitor = std::function<bool(const double x[3])>;
 
 /**
- * A connected part of the inside of a shape, or a hollow of the shape: an enclosed part of its
- * outside. The target has this shape now or at a later time.
+ * A connected part of the inside of a shape, or a hollow: an enclosed part of the outside of the
+ * shape. The target has this shape now or at a later time.
  */
 class TargetPart
 {

@@ -16,7 +16,7 @@ struct Walls
   double Bounds[6] = {}; //< xmin xmax ymin ymax zmin zmax, world units
 };
 
-/** A periodic box: a surface that leaves through one side enters through the opposite one. */
+/** A periodic box: a surface that leaves through one side enters through the opposite side. */
 struct Periods
 {
   double Low[3] = {};

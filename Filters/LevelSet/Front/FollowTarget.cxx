@@ -14,7 +14,8 @@ namespace activesurface
 namespace
 {
 
-/** Returns true if leaves may converge: without controls and outside the paper's scheme. */
+/** Leaves converge only with Attraction and TargetEvaluation::Shifted, without controls, and not in
+ * the paper's scheme. */
 bool CanConverge(const Motion& motion)
 {
   return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&

@@ -47,7 +47,7 @@ ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
   return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
 }
 
-/** Godunov's upwind |du|^2 on one axis, for a surface that moves outward and inward. */
+/** Godunov's upwind |du|^2 on one axis, for outward and for inward motion of the surface. */
 struct UpwindSquares
 {
   float Outward;

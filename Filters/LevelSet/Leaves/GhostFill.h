@@ -21,7 +21,8 @@
 namespace activesurface
 {
 
-/** Fills nodes that may have changed: in the affected leaves and next to them. */
+/** Fills ghosts, and nodes that entered the band, in the affected leaves; fills ghosts in leaves
+ * next to the affected leaves. */
 void FillGhosts(LeafTable& table, const ActiveSet& set);
 
 }

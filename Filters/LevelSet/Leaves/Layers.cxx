@@ -138,7 +138,7 @@ ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf
   leaf.HoldsStaleValue = leaf.UpToLayer[LastLayer];
 }
 
-/** Derives all other data from the layers. No leaf reads another leaf's results. */
+/** Derives the other data of a leaf from the layers. No leaf reads another leaf's results. */
 struct UseLayers
 {
   LeafTable& Table;

@@ -103,7 +103,7 @@ void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) co
 }
 
 /**
- * Attraction * length of each interval: the decrease of ln(distance) and, except in the last
+ * Attraction * duration of each interval: the decrease of ln(distance) and, except in the last
  * interval, of ln(remaining time). The decays sum to 10, which leaves 1/22000 of the distances.
  */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,

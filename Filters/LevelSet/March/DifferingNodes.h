@@ -73,7 +73,8 @@ public:
 
   /** Returns true for a differing node, on either side. */
   bool Has(const openvdb::Coord& place) { return this->Recent.getValue(place) >= 0; }
-  /** Returns the index of the next node along an axis if it is on the same side, otherwise None. */
+  /** Returns the index of the next node along an axis if that node differs on the same side,
+   * otherwise None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);
 
   /** Returns u at a node [voxels], clamped to the spacing of the lattice. */

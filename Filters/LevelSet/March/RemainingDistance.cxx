@@ -20,7 +20,7 @@ namespace activesurface
 namespace
 {
 
-/** Fast marching on the nodes: a(x) = min over y of given(y) + distance(x,y). */
+/** Fast marching: lowers the values at the nodes to a(x) = min over y of a(y) + d(x,y). */
 class Marching
 {
 public:

@@ -1,5 +1,5 @@
 /**
- * Interpolation between the 27 points of a leaf, 4 nodes apart, of a LeafMotion.
+ * Interpolation between the 27 points of a LeafMotion, which are 4 nodes apart.
  */
 #ifndef LeafPoints_h
 #define LeafPoints_h

@@ -172,7 +172,7 @@ private:
     {
       this->Slow(u, miss, pull, bulk, rate, lambda);
     }
-    // Exponential Euler: exact without tension, and at a steady state. e^x is 1 + x series.
+    // Exponential Euler: exact without tension, and at a steady state. e^x = 1 + x * series.
     const Lanes x = AllLanes(share) * rate * lambda;
     const Lanes series =
       one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)));

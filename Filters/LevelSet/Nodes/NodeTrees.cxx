@@ -15,7 +15,7 @@ namespace activesurface
 namespace
 {
 
-/** Returns true if a leaf has values between the limits, or values of both signs. */
+/** Returns true if a leaf has values between -NodeLimit and NodeLimit, or values of both signs. */
 bool IsNearSurface(const float* values)
 {
   return std::any_of(values, values + 512,

@@ -1,6 +1,6 @@
 /**
- * Numbers and plain structs as bytes that ranks send. All ranks need machines of the same byte
- * order and types.
+ * Numbers and plain structs as bytes that ranks send. All ranks must have the same byte order and
+ * sizes of types.
  */
 #ifndef RankBytes_h
 #define RankBytes_h

@@ -175,7 +175,8 @@ std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
   return slabs;
 }
 
-/** A slab and its margins, shifted so that few nodes of a tree contain them. */
+/** A slab and its margins in a separate tree, shifted so that few nodes of the tree contain the
+ * slab. */
 class SweptSlab
 {
 public:

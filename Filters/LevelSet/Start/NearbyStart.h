@@ -12,9 +12,10 @@ namespace activesurface
 {
 
 /**
- * Returns the potential of MakeInitialPotential, at a cost proportional to the function's regions,
- * independent of the bounds. The function is sampled in the leaves that the regions touch. Leaves
- * outside the regions that are connected with an inside node are filled without evaluations.
+ * Returns a potential with the same surface as that of MakeInitialPotential, up to rounding. The
+ * cost is proportional to the function's regions, independent of the bounds. The function is
+ * sampled in the leaves that the regions touch. Leaves outside the regions that are connected with
+ * an inside node are filled without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

@@ -3,8 +3,8 @@
  * skin.
  *
  * Nodes where the signs of the target and of the potential differ are called differing. The skin
- * will reach differing nodes that are connected with layer 0, where the sample points of the skin
- * are, along edges between differing nodes. All other differing nodes form the new parts and voids;
+ * will reach a differing node if edges between differing nodes connect this node with layer 0,
+ * where the sample points of the skin are. All other differing nodes form the new parts and voids;
  * the target repels the skin from these nodes. The search follows connected nodes, from the
  * target's regions, and from parts of the input shapes that the skin does not meet at all. Voids,
  * and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the lattice

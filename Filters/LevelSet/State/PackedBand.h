@@ -24,7 +24,8 @@ namespace activesurface
 void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 
 /** Returns the tree with its known nodes, and + or - the background elsewhere. parts: bytes of each
- * rank. Throws std::runtime_error for bytes that PackBand did not write. */
+ * rank. Throws std::runtime_error if sizes or counts in the bytes disagree, or if the tree is
+ * damaged (see CheckTree). */
 openvdb::FloatTree::Ptr UnpackBand(const std::vector<std::string>& parts, float background);
 
 ///@{
