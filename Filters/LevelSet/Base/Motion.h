@@ -115,8 +115,9 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
-  /** TimeIntegration::Nodes needs a target whose GetNodes is not null, and an Attraction that
-   * reduces distances by a factor e^2 or more in an interval. Penalties are not supported. */
+  /** With TimeIntegration::Nodes the target's GetNodes must not be null, and Attraction should
+   * reduce distances by a factor e^2 or more in an interval. The band checks neither, and ignores
+   * penalties. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** If true, uses the paper's own scheme, for comparison: see PaperStep.h. */

@@ -112,7 +112,7 @@ private:
 };
 
 /**
- * Calls function(node, bits) for the crossed voxels of a leaf. node: lower corner; bits: see
+ * Calls function(node, bits) for the crossed voxels of a leaf. node: lower corner; bits: result of
  * Corners.
  */
 template <class Function>

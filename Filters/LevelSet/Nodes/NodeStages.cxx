@@ -29,8 +29,8 @@ constexpr float TensionOfStages = 10.f * TensionOfStage;
  */
 constexpr float SlowShare = .03f;
 /**
- * Full bodies: the bulk becomes full between FullFrom and FullTo. The noise width of full bodies is
- * NoiseOfFull times as large, because the particles of a body agree on the surface.
+ * Bulks of full bodies: the transition is from FullFrom to FullTo. The noise width of full bodies
+ * is NoiseOfFull times as large, because the particles of a body agree on the surface.
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 /** If attraction and tension are out of balance by less than Imbalance times the noise, both rates

@@ -117,7 +117,7 @@ void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x,
     [](double value) { return value < 0.0; });
 }
 
-/** Adds the corners of the voxels between two planes whose corners differ in sign. */
+/** Adds the corners of the crossed voxels between two planes of nodes. */
 void AddCrossedVoxels(
   const LatticeBox& box, int x, const Plane& before, const Plane& after, CrossedNodes& crossed)
 {
