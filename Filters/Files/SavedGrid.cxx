@@ -17,11 +17,11 @@ namespace
 
 constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
-constexpr const char* OutsideName = "active_history_outside"; // not in files of older versions
-constexpr const char* OriginName = "active_origin";           // only if it is not 0
-constexpr const char* SpacingName = "active_spacing";         // only if it is known
-constexpr const char* ReachName = "active_reach";             // only if there is a domain
-constexpr const char* LowName = "active_bounds_low";          // likewise
+constexpr const char* OutsideName = "active_history_outside"; // absent from files of older versions
+constexpr const char* OriginName = "active_origin";           // absent if 0
+constexpr const char* SpacingName = "active_spacing";         // absent if unknown
+constexpr const char* ReachName = "active_reach";             // absent without a domain
+constexpr const char* LowName = "active_bounds_low";          // absent without a domain
 constexpr const char* HighName = "active_bounds_high";
 
 template <class Value>

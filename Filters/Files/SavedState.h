@@ -20,9 +20,9 @@ struct SavedState
 {
   std::shared_ptr<const NarrowBand> Band;
   std::array<double, 3> Origin = {}; //< world position of the band's node (0, 0, 0)
-  double Time = 0.0;                 //< pipeline time, of a step
+  double Time = 0.0;                 //< pipeline time of the time step
   std::vector<HistoryRow> History;   //< up to Time
-  double Spacing = 0.0;              //< of particles, in use [length]; 0: unknown
+  double Spacing = 0.0;              //< particle spacing in use [length]; 0: unknown
   double Bounds[6] = {};             //< of the domain, relative to Origin
   double Reach = 0.0;                //< of the target [length]; 0: there is no domain
 };

@@ -189,7 +189,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
   this->ReadTransform(grid);
-  // OpenVDB's reader follows the metadata if they contradict the type.
+  // If type and metadata disagree, OpenVDB's reader follows the metadata.
   const openvdb::Metadata::ConstPtr half =
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)

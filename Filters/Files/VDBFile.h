@@ -4,8 +4,8 @@
  * OpenVDB's reader trusts the file: a flipped bit may make the reader allocate any amount of
  * memory, loop for hours or read beyond its arrays. Validation checks every size field first, down
  * to the last leaf. Validation builds no tree: it reads all masks and skips the values. OpenVDB
- * then reads the file without fault, whatever its values are, and needs at most a few hundred times
- * the file size of memory.
+ * then reads the file without fault, whatever its values are. The memory needed is at most a few
+ * hundred times the file size.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -51,9 +51,9 @@ struct VDBFile
 };
 
 /**
- * Validates a file and lists its grids. If `trees` is false and OpenVDB's io::File has written the
- * file, only the first bytes are read. Throws std::runtime_error for a file that is missing,
- * damaged, or older than OpenVDB 2 (version 222 of the format). The message names the file.
+ * Validates a file and lists its grids. If `trees` is false, skips the trees of a file that
+ * OpenVDB's io::File has written. Throws std::runtime_error for a file that is missing, damaged, or
+ * older than OpenVDB 2 (version 222 of the format). The message names the file.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 

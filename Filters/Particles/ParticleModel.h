@@ -21,8 +21,8 @@ inline double GetReachPerSpacing(ParticleModel model)
   return model == ParticleModel::Anisotropic ? 2.25 : 2.0;
 }
 
-// Radius of the fitted neighbourhood, in support radii: 7.25 own radii at usual proportions. Larger
-// values give flatter surfaces and cost more.
+// Radius of the neighbourhood that a fit uses [support radii]: 7.25 own radii at usual proportions.
+// Larger values give flatter surfaces and cost more.
 inline double GetNeighbourhoodPerRadius(ParticleModel model)
 {
   return 7.25 / (2.0 * GetReachPerSpacing(model));

@@ -57,7 +57,8 @@ struct NodeParticleOptions
 // Longest half-axis of an ellipsoid over the support radius, for a particle in a body.
 constexpr double StretchInBody = 1.3;
 
-// Width of the margin along each axis around a rank's leaves in which it needs particles [voxels].
+// Returns the distance from a rank's leaves, along each axis, within which the rank needs particles
+// [voxels].
 VTKACTIVEPARTICLES_EXPORT int FindMarginOfNodes(
   const NodeParticleOptions& options, double longestReach);
 

@@ -46,7 +46,7 @@ private:
 
   double Unit = 1.0; // voxel size of the nodes: the smallest own radius
   ParticleNodes Nodes;
-  std::vector<std::uint32_t> Places; // of each particle in the order of the blocks
+  std::vector<std::uint32_t> Places; // index of each particle in the order of the blocks
 };
 
 }

@@ -20,8 +20,8 @@ namespace activesurface
 // Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
 // 0, or without a later step, these are the particles of the earlier step. Otherwise they are the
 // particles of the earlier step in their order, then the particles that are only in the later step
-// in their order. Particles faded to zero are omitted. In a periodic box each particle is replaced
-// by its copies in the box and the margin.
+// in their order. Particles whose strength has faded to zero are omitted. In a periodic box each
+// particle is replaced by its copies in the box and the margin.
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:

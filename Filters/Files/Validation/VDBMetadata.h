@@ -17,7 +17,7 @@ class ByteSource;
 struct VDBMetadata
 {
   openvdb::MetaMap::Ptr Values;
-  /** From the table of leaf sizes for delayed loading, if it exists. */
+  /** True if the metadata have the table of leaf sizes for delayed loading. */
   bool HasLeafSizes = false;
   bool HasPackedSizes = false;
   std::uint64_t NumberOfLeaves = 0;

@@ -33,7 +33,7 @@ struct Attribute
 class Pages
 {
 public:
-  /** Adds an array, in the order of the leaves. Begins a page if the last one is full. */
+  /** Adds the array of the next leaf. Begins a page if the last page is full. */
   void AddSize(ByteSource& source, std::uint64_t bytes)
   {
     if (this->Left == 0)
@@ -41,7 +41,7 @@ public:
       const auto stored = source.Read<std::int32_t>();
       const std::int64_t unpacked =
         stored > 0 ? source.Read<std::int32_t>() : -std::int64_t(stored);
-      constexpr std::int64_t best = 300; // LZ4 compresses to a 255th at best
+      constexpr std::int64_t best = 300; // LZ4 compresses at most 255-fold
       if (stored == 0 || unpacked <= 0 || (stored > 0 && unpacked > best * stored))
       {
         RefuseDamage("a page of attributes has an impossible size");
@@ -104,7 +104,7 @@ private:
   ByteSource& Source;
   const VDBTree& Tree;
   std::size_t Count = 0;                       //< attributes of each leaf
-  Types Shared;                                //< of all leaves, once a leaf declares it
+  Types Shared;                                //< of all leaves, if a leaf declares so
   std::vector<std::vector<Attribute>> PerLeaf; //< by leaf
   std::vector<Pages> PerAttribute;
 };
@@ -191,7 +191,7 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Reads the number of items that need at least `least` bytes each. */
+/** Reads a number of items. Each item occupies at least `least` bytes of the rest of the file. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();

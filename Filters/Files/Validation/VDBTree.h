@@ -52,7 +52,7 @@ struct VDBTree
   std::uint64_t NumberOfLeaves = 0;
   openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
   std::vector<Leaf> Leaves;       //< in the order of the file
-  std::vector<VDBLeafSize> Sizes; //< of leaves of values
+  std::vector<VDBLeafSize> Sizes; //< of leaves that contain values
 };
 
 /** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */

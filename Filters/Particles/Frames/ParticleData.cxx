@@ -109,7 +109,7 @@ bool ArePositions(const Group& group)
     std::end(NamesOfPositions);
 }
 
-// Groups columns, ordered by the first column of each group.
+// Groups the columns of vectors. Groups are in the order of their first columns.
 std::vector<Group> GroupColumns(vtkTable* table)
 {
   std::map<std::string, std::array<vtkAbstractArray*, 3>> vectors;

@@ -19,14 +19,14 @@ namespace activesurface
 //   similar name, in upper or lower case. Other columns become point arrays; three columns of one
 //   vector become one array.
 // - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
-//   Point arrays are kept if all blocks with points have them, with one type. If only one block has
-//   points, that block is returned unchanged.
+//   A point array is kept if all blocks with points have it, with the same type. If only one block
+//   has points, that block is returned unchanged.
 // Returns null for any other class and for adaptive mesh refinement (AMR). Throws
 // std::invalid_argument for a table without positions, or if one of several blocks with points does
 // not consist of particles.
 VTKACTIVEPARTICLES_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
 
-// Returns true for AMR, a vtkDataObjectTree since VTK 9.6, whose blocks overlap.
+// Returns true for AMR, whose blocks overlap. AMR is a vtkDataObjectTree since VTK 9.6.
 VTKACTIVEPARTICLES_EXPORT bool HasLevels(vtkDataObject* data);
 
 }

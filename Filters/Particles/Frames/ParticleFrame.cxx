@@ -66,7 +66,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Sets the ids of the particles from their points, or to the point indices if `ids` is empty.
+// Sets the particle ids. ids: an id for each point; if empty, the point index is the id.
 void SetIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
@@ -106,8 +106,7 @@ void Sort(ParticleFrame& frame)
   frame.Permute(order);
 }
 
-// Copies the velocities of the particles. Values that are not finite count as unavailable when
-// read.
+// Copies the velocities of the particles. Readers treat values that are not finite as unavailable.
 void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
   if (velocities)

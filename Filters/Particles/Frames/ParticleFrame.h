@@ -56,16 +56,16 @@ struct WholeFrame
 struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
 {
   ParticleList Particles;
-  std::vector<std::int64_t> Ids; // from the array, else point indices in the whole input
-  bool HasIds = false;           // from the array
-  bool HasRadii = false;         // from the array; otherwise call GiveRadius
-  double ReachPerRadius = 1.0;   // support radius / radius of the array, see UseRadii
-  bool HasVelocities = false;    // from an array
+  std::vector<std::int64_t> Ids; // from the id array, else point indices in the whole input
+  bool HasIds = false;           // true if Ids are from the id array
+  bool HasRadii = false;         // true if radii are from an array; otherwise call GiveRadius
+  double ReachPerRadius = 1.0;   // support radius / radius in the array, see UseRadii
+  bool HasVelocities = false;    // true if Velocities are from an array
   std::size_t Ignored = 0;       // omitted points: not finite, or without a positive radius
   std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
   std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
   vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted
-  std::optional<WholeFrame> Whole;      // if distributed; then all have one radius
+  std::optional<WholeFrame> Whole; // only of a distributed frame, whose particles have one radius
 
   std::size_t CountAllPoints() const
   {
@@ -83,7 +83,7 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
     return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
   }
 
-  // The particle order[i] becomes number i, with its id and velocity.
+  // Reorders particles, ids and velocities: the particle order[i] gets the index i.
   void Permute(const std::vector<std::size_t>& order);
 
   // Sets the support radius of all particles.

@@ -3,8 +3,8 @@
 // A particle moves in a straight line to its position in the next step, in a periodic box to the
 // nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
 // Without ids the particles are matched by their index, if the two steps have equally many points.
-// Indices are not used if matching by index would move most particles across the cloud, as when an
-// input lists the particles in another order in each step.
+// Indices are ignored if matching by index would move most particles across the cloud. This happens
+// if the order of the particles differs between the steps.
 //
 // Let f be the fraction of the interval. A particle without a partner in the next step dies: its
 // strength is multiplied by (1-f). A particle without a partner in the earlier step is born: its
@@ -59,12 +59,12 @@ VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
-// Returns true if equal indices are different particles, judged by the displacements of all
-// particles of the frame, in any order. `earlier` may contain only a part of the frame.
+// Returns true if equal indices are different particles. displacements: samples from the whole
+// frame, in any order. `earlier` may contain only a part of the frame.
 VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
   const ParticleFrame& earlier, const PeriodicBox& box);
 
-// Returns the largest sum of displacement and change of radius of a particle that is in both steps;
+// Returns the maximum of displacement + change of radius over the particles that are in both steps;
 // 0 without such particles.
 VTKACTIVEPARTICLES_EXPORT double FindLargestDisplacement(const ParticleFrame& earlier,
   const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);

@@ -40,8 +40,7 @@ auto CompareKeys(const ParticleList& particles)
   };
 }
 
-// Sorts keys that consist of a few sorted runs, as several ranks send them. ends: end index of each
-// run.
+// Merges a few sorted runs of keys; each rank sends one run. ends: end index of each run.
 template <class Key, class IsBefore>
 void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&& isBefore)
 {
@@ -64,7 +63,7 @@ void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&&
   }
 }
 
-// keyOf(i): the first key of particle i.
+// keyOf(i): the key of particle i that decides most comparisons.
 template <class Number, class KeyOf>
 std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
 {

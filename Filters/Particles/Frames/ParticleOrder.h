@@ -1,7 +1,7 @@
 // Order of the particles in a frame, independent of the order in the input.
 //
-// Sums over particles depend on the order by rounding. The order in the input is not reliable: the
-// order changes if several ranks write the input, or send the input in pieces.
+// Because of rounding, sums over particles depend on the order. The order in the input is not
+// reliable: it changes if several ranks write the input, or if ranks send pieces of it.
 
 #ifndef ParticleOrder_h
 #define ParticleOrder_h

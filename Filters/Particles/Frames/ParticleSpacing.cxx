@@ -64,8 +64,8 @@ constexpr std::size_t Nearest = 4;
 using Distances = std::array<double, Nearest>; // ascending; HUGE_VAL if there is no such particle
 
 // Search tree of the particles. The leaves of an octree stay small even if a few particles are far
-// away. The tree uses single precision, so its coordinates are relative to the middle of most
-// particles, in units of the particles' distance from the middle.
+// away. The tree uses single precision, so its coordinates are relative to Middle::At, in units of
+// Middle::HalfSize.
 class Neighbourhoods
 {
 public:

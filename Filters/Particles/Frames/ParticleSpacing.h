@@ -12,9 +12,9 @@ namespace activesurface
 
 // Returns the median distance of a particle to its third nearest neighbour, over a sample of 1,000
 // to 2,000 particles (all if fewer). For lattices and random points the result is within 14 % of
-// the cube root of the volume per particle. In sheets it is within 14 % of the square root of the
-// area per particle. The distance to the nearest particle would be only 0.55 of that root for
-// random points. Returns 0 if no two particles have different positions.
+// the cube root of the volume per particle. In sheets the result is within 14 % of the square root
+// of the area per particle. For random points, the distance to the nearest particle would be only
+// 0.55 of the cube root. Returns 0 if no two particles have different positions.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
 // Returns the median radius over such a sample. Needs at least one particle.

@@ -14,8 +14,8 @@ namespace activesurface
 
 struct PeriodicBox : Periods
 {
-  // Width of the margin around the box in which copies of particles affect the surface in the box:
-  // by the supports of their ellipsoids (1.3 kernel radii), or as neighbours that change the
+  // Width of a margin around the box. Copies of particles in the margin affect the surface in the
+  // box: their ellipsoids (up to 1.3 kernel radii) may overlap the box, or they may change the
   // ellipsoid and the strength of a particle in the box.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 

@@ -11,7 +11,8 @@ namespace activesurface
 namespace
 {
 
-// Balls per segment: one per radius of length, but at most this number of larger balls.
+// Maximum number of balls of a segment. Shorter segments have one ball per radius of length; the
+// balls of longer segments are larger.
 constexpr double MostBalls = 64.0;
 // Factor of squared radii: allows for the rounding of squared distances.
 constexpr double Rounding = 1.0 + 1e-9;
@@ -85,7 +86,7 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
 }
 
-// Balls smaller than the rounding error count as that large.
+// Balls smaller than the rounding error count as large as this error.
 int ElementIndex::LevelOf(const Ball& ball) const
 {
   return std::ilogb(std::max(ball.Radius, this->Slack));

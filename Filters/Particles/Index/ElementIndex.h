@@ -70,7 +70,7 @@ public:
 private:
   using Hits = std::vector<Index>;
 
-  // Farther from the origin, all cells count as one.
+  // Maximum cell coordinate; all points farther from the origin are in the outermost cells.
   static constexpr double FarthestCell = 281474976710656.0; // 2^48: rounding is below 1/16
 
   struct Lattice
@@ -94,8 +94,8 @@ private:
   {
     return std::min(std::max(std::floor(x / cellSize), -FarthestCell), FarthestCell);
   }
-  // Hash keys: cell coordinates modulo 2^32; the first number also contains the lattice. Equal keys
-  // of different cells cost only time.
+  // Hash keys: cell coordinates modulo 2^32; the first number also contains the lattice. Different
+  // cells with equal keys cost only time.
   static NodeIndex KeyOf(const Lattice& lattice, const std::int64_t (&cell)[3])
   {
     constexpr std::uint32_t perLattice = 0x9e3779b1u;

@@ -15,7 +15,7 @@
 namespace activesurface
 {
 
-// Batch size for some microseconds of work per particle.
+// Batch size if a particle needs some microseconds.
 constexpr std::size_t ParticlesPerTask = 256;
 
 // Calls task(0) to task(count - 1), each once. Rethrows an exception of a task.

@@ -31,9 +31,8 @@ struct SkeletonWeight
   double Weight;
 };
 
-// Returns the distance, over the support radius, at which the kernel of an element of strength 1
-// equals a level in ]0,1[. This ratio is the radius of an isolated ball or tube, over the support
-// radius.
+// Returns d / R: at the distance d from an element of strength 1 and support radius R, the kernel
+// equals a level in ]0,1[. The surface of an isolated element at this level has the radius d.
 VTKACTIVEPARTICLES_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double level);
 
 class VTKACTIVEPARTICLES_EXPORT Skeleton
@@ -46,10 +45,11 @@ public:
   void AddPoint(const SkeletonVertex& vertex);
   void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
 
-  // Call after the last element is added and before the first evaluation. Throws like ElementIndex.
+  // Call after the last element is added and before the first evaluation. Throws like
+  // ElementIndex::Build.
   void Build() { this->Near.Build(); }
 
-  // Evaluates threshold - sum at points (x y z each), and the gradients of this value unless null.
+  // Evaluates threshold - sum at points (x y z each), and its gradients unless `gradients` is null.
   // Returns NaN at a point that is not finite. Thread-safe.
   void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
     double* values, double* gradients) const;

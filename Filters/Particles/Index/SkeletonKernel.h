@@ -115,7 +115,8 @@ struct SkeletonPoint
     }
   }
 
-  // Bitwise identical to a single position: beyond the support W(1) = W'(1) = 0 adds zeros.
+  // Bitwise identical to the function for one position: beyond the support, W(1) = W'(1) = 0 adds
+  // zeros.
   template <class Kernel>
   ACTIVE_ALWAYS_INLINE void AddTo(SkeletonLanes& lanes) const
   {
@@ -172,7 +173,8 @@ struct SkeletonSegment
     const double strength = this->Strength + t * this->StrengthChange;
     const KernelSample kernel = Kernel::At(q2);
     const double slope = strength * kernel.SlopeOverQ;
-    // Between the ends t depends on x. The derivative of the distance by t is zero there.
+    // Between the ends of the segment, t depends on x, but the derivative of the distance by t is
+    // zero.
     const double perLength = t > 0.0 && t < 1.0 ? this->InverseLength2 : 0.0;
     const double alongEdge = perLength *
       (slope * q2 * this->RadiusChange * inverseRadius - this->StrengthChange * kernel.Value);

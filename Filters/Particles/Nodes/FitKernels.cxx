@@ -12,21 +12,23 @@ namespace activesurface
 namespace
 {
 
-// At the surface of a body: limits of the distance from a particle to its neighbourhood's mean,
-// over the neighbourhood's radius. The ratio is 0.24 in a deep body's flat layer, below 0.1 inside.
+// Limits of a ratio that detects the surface of a body: distance from a particle to the mean of its
+// neighbours, divided by the neighbourhood's radius. The ratio is 0.24 in the flat surface layer of
+// a deep body, and below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
-// The surface of a body is farther from its particles than their own radius by this fraction of the
-// radius, because the body's edges lose volume.
+// Distance from the outermost particles of a body to its surface, minus their own radius [own
+// radii]. The extra distance compensates for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
-// In a body: limits of the density of the neighbours, in particles per (2 r)^3. The density is 0.28
-// in a sheet of one layer, 0.63 in a deep body's outermost layer, 0.87 in the next layer.
+// Limits of the density of the neighbours that detect a body, in particles per (2 r)^3. The density
+// is 0.28 in a sheet of one layer, 0.63 in a deep body's outermost layer, 0.87 in the next layer.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Support radius over that in a body: without neighbours, and the densities between which it grows.
+// Support radius of an isolated particle, divided by the support radius in a body. Between the two
+// densities [particles per (2 r)^3] the support radius grows from one value to the other.
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;
@@ -41,8 +43,8 @@ constexpr float EnoughNeighbours = 4.2f;
 // A centre moves by this fraction of the distance to the mean of its neighbours.
 constexpr float ShareOfMean = .9f;
 
-// Shortest over middle half-axis: 0 in a sheet of one layer, about 1 in a body. Longest half-axis
-// over the neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body.
+// Shortest half-axis / middle half-axis: 0 in a sheet of one layer, about 1 in a body. Longest
+// half-axis / neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;
 

@@ -3,9 +3,9 @@
 //
 // The fit of a particle near a surface is an ellipsoid with the shape of its neighbourhood (Yu and
 // Turk 2013); see NodeFits.h for the strength. The support radius grows with the density of the
-// neighbours, from an isolated particle to a body. Drops with few neighbours therefore do not grow
-// into each other's kernels. A ball is a little larger than its particle, to compensate for the
-// volume that its triangles lose.
+// neighbours, and is least for an isolated particle. The kernels of small drops therefore overlap
+// less. A ball is a little larger than its particle, to compensate for the volume that its
+// triangles lose.
 
 #ifndef FitKernels_h
 #define FitKernels_h
@@ -44,7 +44,8 @@ struct FitNeighbour
 
 using FitNeighbours = UnsetVector<FitNeighbour>;
 
-// Positions, relative to their own origin, and squared support radii, padded by LanePadding.
+// Positions, relative to the origin of each run's block, and squared support radii, padded by
+// LanePadding.
 struct PlaceColumns
 {
   const float *X, *Y, *Z, *Reach2;
@@ -71,18 +72,19 @@ struct GroupFits
 {
   alignas(32) float Bulk[8];      // in [0,1]: 0 for sheets and isolated particles, 1 in a body
   alignas(32) float Shape[8];     // in [0,1], weight of the ellipsoid: 0 for an isolated particle
-  alignas(32) float Deep[8];      // weight of the point Away
-  alignas(32) float Thin[8];      // weight of the point Across
+  alignas(32) float Deep[8];      // weight of the point at Away
+  alignas(32) float Thin[8];      // weight of the point at Across
   alignas(32) float Offset[3][8]; // from the particle to the centre
   alignas(32) float Metric[6][8];
   alignas(32) float Extent[3][8];
   alignas(32) float Reach[8];     // longest half-axis
   alignas(32) float Lone[8];      // kernel at the surface of an isolated particle
-  alignas(32) float Away[3][8];   // from the particle to the expected surface of a body,
-  alignas(32) float Across[3][8]; // and of a sheet or thread
+  alignas(32) float Away[3][8];   // from the particle to its expected surface, if in a body
+  alignas(32) float Across[3][8]; // likewise, if in a sheet or thread
 };
 
-// Weight of a neighbour: its strength * (1 - d^2/W^2)^2, with its own W = WidePerReach * reach.
+// Weight of a neighbour at the distance d: its strength * (1 - d^2/W^2)^2, with its own W =
+// WidePerReach * reach.
 struct WeightColumns
 {
   const float* InverseWide2;
@@ -98,7 +100,7 @@ struct NodeEllipsoid;
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
-// Sums like the function above, and their gradients.
+// Sums of SumEllipsoids, and their gradients.
 struct PointSums
 {
   alignas(32) float Sum[8];

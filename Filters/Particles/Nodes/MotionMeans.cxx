@@ -13,10 +13,11 @@ namespace activesurface
 namespace
 {
 
-// Least square of a mean displacement over that of its standard error that counts as motion.
+// A mean displacement counts as motion if its square is at least this multiple of the square of its
+// standard error.
 constexpr float ErrorsOfMotion = 6.f;
 // Fewer than two particles, counted by their weights, have no standard error.
-constexpr float FewParticles = .5f; // 1 over their number
+constexpr float FewParticles = .5f; // 1 / number of particles
 // Smaller displacements count as none [voxels].
 constexpr float Still = 1e-4f;
 

@@ -1,5 +1,5 @@
 // Means of displacements and bulks of particles at the points of a leaf. A mean displacement is
-// reduced by the estimated noise of its particles, from their variance.
+// reduced by the noise of its particles, estimated from their variance.
 
 #ifndef MotionMeans_h
 #define MotionMeans_h

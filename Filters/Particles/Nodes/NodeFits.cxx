@@ -13,7 +13,7 @@ namespace activesurface
 // A group and its neighbours; one per thread, reused.
 struct NodeFits::Search
 {
-  NodeIndex Base{}; // block whose origin is that of the positions
+  NodeIndex Base{}; // positions are relative to the origin of this block
   FitGroup Group;
   ParticleRuns Runs;
   FitNeighbours Neighbours;
@@ -56,7 +56,7 @@ void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
   this->ShareStrengths();
 }
 
-// Evaluates a sample that is spread over the list.
+// Counts the neighbours of a sample of particles, evenly spread over the list.
 bool NodeFits::HasTooManyNeighbours() const
 {
   const std::size_t count = this->Blocks->GetOrder().size();
@@ -237,8 +237,8 @@ void NodeFits::FindLongestReach()
   this->LongestReach = longest.empty() ? 0.0 : *std::max_element(longest.begin(), longest.end());
 }
 
-// Moves each particle of the group to its point Away (place 0) or Across (place 3). Returns true if
-// one of these points has a nonzero weight.
+// Sets the group's points to the expected surface points Away (place 0) or Across (place 3), see
+// GroupFits. Returns true if one of these points has a nonzero weight.
 bool NodeFits::PlaceBeside(
   Search& search, const UnsetVector<float>& counting, std::size_t place) const
 {
@@ -256,9 +256,9 @@ bool NodeFits::PlaceBeside(
   return counts;
 }
 
-// A particle that fades in or out counts with full strength at its own points Away and Across, so
-// that an isolated particle fades to nothing. Returns the missing part of the particle's
-// contribution there.
+// A particle that fades in or out counts with full strength at its own points Away and Across (see
+// GroupFits), so that an isolated particle fades to nothing. Returns the part of the particle's
+// contribution that is missing at the point Away (place 0) or Across (place 3).
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);
@@ -322,7 +322,7 @@ void NodeFits::FindLacks(Search& search)
   }
 }
 
-// Lists only the particles with a share; most have none.
+// Lists the particles whose Share is not 0, a minority.
 void NodeFits::ListSurface()
 {
   const std::size_t count = this->Ellipsoids.size();
@@ -360,9 +360,9 @@ void NodeFits::ListSurface()
 
 void NodeFits::FindStrengths(Search& search)
 {
-  // Lower limit of the sum at a body's surface, over the value of an isolated particle. Without a
-  // limit the sum could be negative where neighbours have larger supports: there the mean deficit
-  // may exceed this value.
+  // Lower limit of the sum at a body's surface, divided by the value Lone of an isolated particle.
+  // Without this limit, the sum Lone + mean lack could be negative where neighbours have larger
+  // supports.
   constexpr float leastShare = .1f;
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,

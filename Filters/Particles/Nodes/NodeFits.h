@@ -2,10 +2,10 @@
 // particle). Particles deep in a body have no fit, because their kernels do not reach a surface.
 // There are three passes:
 //
-// - The ellipsoid of each particle.
+// - Ellipsoid: shape and centre for each particle.
 // - Lack: the sum of kernels at the particle's expected surface, minus the sum for an isolated
 //   particle.
-// - The strength, from the mean lack of the neighbours.
+// - Strength: from the mean lack of the neighbours.
 
 #ifndef NodeFits_h
 #define NodeFits_h

@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-// Distance from the first own radius to the end of a kernel [own radii].
+// Distance from a particle to the end of its kernel, minus its own radius [own radii].
 constexpr double BeyondDense = 3.6;
 
 // Cells are at least 1 / CellsOfVoxel of a voxel wide.
@@ -55,7 +55,7 @@ void ParticleBlocks::FindNear(double reach)
   this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
 }
 
-// Returns the number of cells from the cell of a cube's centre to a node beyond the skin. beyond:
+// Returns the distance in cells from the cell of a cube's centre to a node beyond the skin. beyond:
 // distance from the cube to the skin [length].
 int ParticleBlocks::CountOutward(double beyond) const
 {

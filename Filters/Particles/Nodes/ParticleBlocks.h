@@ -50,8 +50,8 @@ struct CellMask
     return any != 0;
   }
 
-  // Returns the cells of this mask and their neighbours before and after on an axis. before, after:
-  // the masks of the blocks there.
+  // Dilates this mask by one cell in both directions of an axis. before, after: the masks of the
+  // adjacent blocks on this axis.
   CellMask Widen(const CellMask& before, const CellMask& after, int axis) const
   {
     CellMask wide;

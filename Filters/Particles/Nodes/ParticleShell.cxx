@@ -21,9 +21,9 @@ constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
 // Limit of a cell's filling: dense particles do not fill the neighbouring cells.
 constexpr std::uint32_t MostFilling = FillingOfCell * 3 / 2;
-// At twice the density of the fluid or more, the sum of kernels is large beyond the own radii of
-// the particles, up to the ends of the supports. (The sum grows with the density and with the fifth
-// power of the depth: at lower densities the skin is off by less than 0.45 own radii.)
+// At twice the density of the fluid or more, the skin may lie as far out as the ends of the
+// supports. The sum of kernels grows with the density and with the fifth power of the depth below
+// these ends. At lower densities the skin is displaced by less than 0.45 own radii.
 constexpr std::uint32_t DenseFilling = FillingOfCell * 2;
 
 constexpr int BlocksPerTask = 8;
