@@ -17,31 +17,31 @@
  * - HALF and FLOAT are read as float, bit by bit (NaN and infinity too), UINT as unsigned int.
  * - Colors are returned as the file stores them: linear.
  * - A sample of a subsampled channel is repeated over its pixels.
- * - Scanline and tiled files are read, of tiled ones the finest level. Deep data is an error.
+ * - Scanline files are read, and the finest level of tiled files. Deep data is an error.
  * - The attributes of the header become field data of the output, by their names.
  *
  * @par Pixels
  * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
  *   whatever the file's own coordinates.
- * - The extent is the data window, which may begin elsewhere or exceed the display window (see
- *   Window).
+ * - The extent is the data window (see Window). It may begin at any pixel, and exceed the display
+ *   window.
  *
  * @par Series
  * - Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are
- *   those of their headers, as vtkActiveEXRWriter writes them. If a header has no time, or the
- *   times do not increase from file to file, they are 0, 1, 2 and so on.
+ *   from the headers, where vtkActiveEXRWriter writes them. If a header has no time, or the times
+ *   do not increase from file to file, the times are 0, 1, 2 and so on.
  * - The extent covers the extents of all files, with 0 where a file has no pixel.
- * - A time between two steps is the earlier one.
+ * - A request for a time between two steps returns the earlier step.
  *
  * @par Properties and classes of VTK
- * - Of vtkImageReader2's other properties DataSpacing, DataOrigin and MemoryBuffer are supported;
- *   the rest have no effect.
+ * - Other properties of vtkImageReader2 have no effect, except DataSpacing, DataOrigin and
+ *   MemoryBuffer.
  * - vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
  *   calls.
  *
  * @par Errors
- * - Every fault of a file (missing, truncated, damaged, larger than MaximumMemory, no EXR) is one
- *   error. ErrorCode returns the kind (vtkErrorCode), and the output is empty.
+ * - A file that is missing, truncated, damaged, larger than MaximumMemory or no EXR file is one
+ *   error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
  * - Sizes in a header are validated against the file size before memory is allocated.
  */
 
@@ -51,7 +51,7 @@
 #include "vtkActiveIOModule.h" // for the export macro
 #include "vtkImageReader2.h"
 
-#include <memory> // for what it holds
+#include <memory> // for Internals
 
 class VTKACTIVEIO_EXPORT vtkActiveEXRReader : public vtkImageReader2
 {
@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Parts of the file or, of a series, of its first file; available after UpdateInformation(). A
-   * part without a name has an empty one. Types are scanlineimage, tiledimage, deepscanline and
+   * Parts of the file, or of the first file of a series; available after UpdateInformation(). The
+   * name of an unnamed part is empty. Types are scanlineimage, tiledimage, deepscanline and
    * deeptile.
    */
   int GetNumberOfParts();
@@ -147,8 +147,8 @@ public:
   ///@{
   /**
    * Select channels to read by name; at first all are selected. A channel may be selected before
-   * the file is read. A layer with unselected channels is grouped from the remaining ones.
-   * DisableAllChannels() before EnableChannel() selects a few.
+   * the file is read. Arrays consist of the selected channels of their layers. To select a few
+   * channels, call DisableAllChannels() before EnableChannel().
    */
   void EnableChannel(const char* name);
   void DisableChannel(const char* name);

@@ -19,9 +19,9 @@
  *
  * - Integer colors: unsigned char or unsigned short, 3 or 4 components, as pictures of other
  *   readers and of windows.
- * - A dot in the name of an array of one component makes a layer of it.
+ * - A dot in the name of an array of one component assigns the array to a layer.
  * - If the components of an array have names (SetComponentName), these names follow the dot.
- *   AddChannel replaces the rule for an array.
+ *   AddChannel replaces these rules for an array.
  *
  * @par Values
  * - float and double arrays become FLOAT, integers UINT, integer colors HALF from 0 to 1.
@@ -47,8 +47,8 @@
  * @par Errors
  * - A file is written whole or not at all: first under a temporary name in the same folder, then
  *   renamed.
- * - A failure is one error, ErrorCode returns the kind (vtkErrorCode), and an existing file is
- *   kept.
+ * - A failure is one error. ErrorCode returns the kind of error (vtkErrorCode), and an existing
+ *   file is kept.
  */
 
 #ifndef vtkActiveEXRWriter_h
@@ -85,10 +85,10 @@ public:
 
   ///@{
   /**
-   * Compression of pixels, all but DWAA without loss. NONE (0). ZIP (1): 16 rows at a time,
+   * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time,
    * supported by every reader. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets,
-   * best for noise. DWAA (4): small, with loss; an error if a channel holds data, which is any but
-   * R, G, B, A and Y. Default: ZIP.
+   * best for noise. DWAA (4): small, with loss; an error if a channel is no color, that is, not R,
+   * G, B, A or Y. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -115,7 +115,7 @@ public:
 
   ///@{
   /**
-   * Encoding of the input's colors (arrays RGB and RGBA, and integer ones of 3 or 4 components).
+   * Encoding of the input's colors (arrays RGB and RGBA, and integer arrays of 3 or 4 components).
    * LINEAR (0): linear light, written unchanged. SRGB (1): encoded for a display; all components
    * but alpha are decoded to linear light. Default: LINEAR.
    */
@@ -128,8 +128,8 @@ public:
   ///@{
   /**
    * Width and height of the display window [pixels], whose lower left pixel is point (0, 0) of the
-   * input. The input's extent is the data window; it may exceed the display window. Values from 1
-   * to 2^24; 0, 0: the extent is both windows, from (0, 0) on. Default: 0, 0.
+   * input. The input's extent is the data window, which may exceed the display window. Values from
+   * 1 to 2^24; 0, 0: the extent, moved to (0, 0), is both windows. Default: 0, 0.
    */
   vtkSetVector2Macro(DisplaySize, int);
   vtkGetVector2Macro(DisplaySize, int);
@@ -163,7 +163,7 @@ public:
   ///@{
   /**
    * Matrix from world to camera coordinates (attribute worldToCamera: x to the right, y up, z
-   * ahead). Like matrices of VTK, it multiplies column vectors. The file gets its transpose in
+   * ahead). The matrix multiplies column vectors, as in VTK. The file contains its transpose in
    * single precision. Default: none.
    */
   void SetWorldToCamera(vtkMatrix4x4* matrix);
@@ -195,8 +195,8 @@ public:
 
   ///@{
   /**
-   * Writes a component of a point array as a channel of this name. The array then has only the
-   * channels that are added here; other arrays follow the rule.
+   * Writes a component of a point array as a channel of this name. Of this array, only the channels
+   * added by AddChannel are then written; other arrays follow the rules above.
    */
   void AddChannel(const char* array, int component, const char* channel);
   void ClearChannels();
@@ -211,8 +211,9 @@ public:
 
   ///@{
   /**
-   * Assigns a type to the channels of an array: UINT (0), HALF (1) or FLOAT (2), in place of the
-   * rule's. HALF has 11 bits, enough for colors and normals; depth and positions need FLOAT.
+   * Assigns a type to the channels of an array: UINT (0), HALF (1) or FLOAT (2), instead of the
+   * type that follows from the array's type. HALF has 11 bits, enough for colors and normals; depth
+   * and positions need FLOAT.
    */
   void AssignPixelType(const char* array, int type);
   void ClearPixelTypes();

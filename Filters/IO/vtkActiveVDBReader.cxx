@@ -27,11 +27,11 @@ vtkStandardNewMacro(vtkActiveVDBReader);
 
 struct vtkActiveVDBReader::Internals
 {
-  vtkMTimeType Version = 0; // of the reader, whose files have these times
+  vtkMTimeType Version = 0; // MTime of the reader when the times were read
   activesurface::FileTimes Times;
-  int Number = -1; // of the open file
+  int Number = -1; // index of the open file; -1: none
   activesurface::ChosenGrids Chosen;
-  vtkNew<vtkStringArray> Names; // of all grids, for GetGridNames
+  vtkNew<vtkStringArray> Names; // names of all grids, for GetGridNames
 
   // Returns null if there is no such grid.
   const VDBGrid* FindGrid(int i) const

@@ -1,26 +1,28 @@
 /**
  * @class   vtkActiveVDBReader
- * @brief   reads .vdb files of any origin: volumes as images, points as poly data, series as time
+ * @brief   reads .vdb files: volumes as images, points as poly data, series as time steps
  *
  * @par Output
  * - Volumes (level sets, fogs and other grids of float, half, double, int32, int64, bool, mask or
- *   vectors of three) become a vtkImageData. Its points are the grid's voxels, with one point array
- *   for each of the chosen grids, which have to share one transform. Voxels that are not stored
- *   (tiles and background) have their values, too.
+ *   vectors of three) become a vtkImageData. The chosen grids have to share one transform. Each
+ *   voxel is a point of the image, and each grid is a point array. Tiles and background are
+ *   expanded to voxels.
  * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared and
  *   perspective grids are an error.
  * - Points grids become a vtkPolyData with a vertex for each point and all attributes (groups as 0
  *   or 1).
- * - With OutputDense off, a level set is passed to the Target or the Initial of a
- *   vtkActiveImplicitSurface, or to a vtkGridPotential, without a dense image. The output then has
- *   an extent, but no array, and carries the grid.
- * - If the ranks of a parallel program request pieces, the first piece is all of the data.
+ * - With OutputDense off, a level set is passed to an input port of a vtkActiveImplicitSurface, or
+ *   to a vtkGridPotential, without a dense image. The output then has an extent, but no array, and
+ *   carries the grid.
+ * - If the ranks of a parallel program request pieces, piece 0 has all data, and the others are
+ *   empty.
  *
  * @par Reading
  * - Only the chosen grids are read. If Region is a box and the file allows it, only the leaves that
  *   meet the box are read.
- * - Several files are a series of time steps. Their times are the metadata "time", if all files
- *   have them and they increase, else 0, 1, 2... A time between two of them is the earlier one.
+ * - Several files are a series of time steps. The times are the metadata "time" of the files, or 0,
+ *   1, 2... if a file has no time or the times do not increase. A request for a time between two
+ *   steps returns the earlier step.
  *
  * @par Errors
  * - A file is validated down to its last leaf before it is read. A damaged file is an error with an
@@ -36,7 +38,7 @@
 
 #include <memory> // for Internals
 #include <string> // for names
-#include <vector> // of them
+#include <vector> // for lists of names
 
 class vtkImageData;
 class vtkPolyData;
@@ -138,12 +140,12 @@ public:
 
   ///@{
   /**
-   * Grids of the file or, of a series, of the file that was read last; available after
+   * Grids of the file, or of that file of a series that was read last; available after
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
-   * vec3s, vec3d, vec3i, points) or that of an unknown tree. Half floats have the type "float" and
-   * HalfFloat set. The class is "level set", "fog volume", "staggered vector field" or "unknown".
-   * Bounds are those of the active voxels in index coordinates. An index out of range returns null,
-   * 0 or an empty result.
+   * vec3s, vec3d, vec3i, points), or the type of a tree whose values are unknown. Half floats have
+   * the type "float" and HalfFloat set. The class is "level set", "fog volume", "staggered vector
+   * field" or "unknown". Bounds are those of the active voxels in index coordinates. An index out
+   * of range returns null, 0 or an empty result.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();
@@ -159,9 +161,9 @@ public:
 
   ///@{
   /**
-   * Metadata as text. A name returns its value, or an empty text if it does not exist. The All
-   * methods return a line "name: value" for each entry. Methods with an index read those of a grid,
-   * the others those of the file.
+   * Metadata as text. GetMetadata returns the value of a name, or an empty text if there is none.
+   * GetAllMetadata returns a line "name: value" for each entry. The methods with "Grid" in their
+   * names return the metadata of a grid.
    */
   std::string GetMetadata(const std::string& name);
   std::string GetAllMetadata();

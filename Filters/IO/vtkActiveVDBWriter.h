@@ -3,7 +3,7 @@
  * @brief   writes an active surface, a closed mesh or an image as narrow-band .vdb files
  *
  * @par Input
- * - Output port 0 or 1 of a vtkActiveImplicitSurface, whose own grid is written without a dense
+ * - Output port 0 or 1 of a vtkActiveImplicitSurface. Its own grid is written, without a dense
  *   image.
  * - Any closed vtkPolyData: each edge belongs to an even number of polygons; its points have to
  *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
@@ -16,12 +16,12 @@
  * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
  * @par Grids of an image
- * - A grid for its active scalars (else its first point array), named after the array, or
- *   "density". Values that are not 0 are active; see GridClass.
+ * - A grid for the active scalars, else for the first point array. The grid has the array's name,
+ *   or "density" for an array without a name. Values that are not 0 are active; see GridClass.
  *
  * @par Metadata of the file and of all grids
  * - creator, time [pipeline time], frame (number of the time step), units, and motion_X for each
- *   property X of the filter that shapes its motion.
+ *   property X of the filter that determines the motion.
  *
  * @par Errors
  * - A file is written under a temporary name, validated and then renamed, so it appears as a whole
@@ -78,7 +78,8 @@ public:
   /**
    * Adds the grid "potential", the state without loss, from which the filter's LoadState resumes
    * bitwise identically. The input has to be a vtkActiveImplicitSurface at one of its time steps;
-   * between two there is no state. The state is never written as half floats. Default: off.
+   * there is no state between two time steps. The state is never written as half floats. Default:
+   * off.
    */
   vtkSetMacro(WriteState, vtkTypeBool);
   vtkGetMacro(WriteState, vtkTypeBool);
@@ -97,9 +98,9 @@ public:
 
   ///@{
   /**
-   * Adds the grid "v", the velocity [length/time] near the surface, for motion blur. It is read
-   * from the skin's point array "Velocity" (the filter's ComputeVelocity), which has to exist.
-   * Default: off.
+   * Adds the grid "v", the velocity [length/time] near the surface, for motion blur. The grid is
+   * made from the skin's point array "Velocity" (see ComputeVelocity), which has to exist. Default:
+   * off.
    */
   vtkSetMacro(WriteVelocity, vtkTypeBool);
   vtkGetMacro(WriteVelocity, vtkTypeBool);
@@ -108,9 +109,10 @@ public:
 
   ///@{
   /**
-   * Adds a grid, named after the array, for each point array of one or three components. A surface
-   * provides values near it, from the nearest point of the skin (integers from the nearest corner).
-   * An image provides all its values. Other arrays are an error. Default: off.
+   * Adds a grid, named after the array, for each point array of one or three components. The grids
+   * of a surface have values near the skin: those of the skin's nearest point, or integers of the
+   * nearest corner of a triangle. The grids of an image have all its values. Other arrays are an
+   * error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);
@@ -166,8 +168,8 @@ public:
   ///@{
   /**
    * Lossless compression of values. NONE (0). ACTIVE_MASK (1): only active values are stored where
-   * these suffice. ZIP (2), slow, and BLOSC (3), fast: active values are packed by zlib or Blosc.
-   * With ZIP, OpenVDB leaves level sets and fogs unpacked. Default: BLOSC.
+   * that is lossless. ZIP (2), slow, and BLOSC (3), fast: active values are packed by zlib or
+   * Blosc. With ZIP, OpenVDB leaves level sets and fogs unpacked. Default: BLOSC.
    */
   vtkSetClampMacro(Compression, int, NONE, BLOSC);
   vtkGetMacro(Compression, int);
@@ -187,9 +189,9 @@ public:
 
   ///@{
   /**
-   * Ranks of a parallel program, which call Write together. All ranks update the input, and the
-   * first one writes its data. A vtkActiveImplicitSurface on these ranks provides all data there. A
-   * null controller, or one of a single process, makes this process write. Default: VTK's global
+   * Ranks of a parallel program, which have to call Write together. All ranks update the input, and
+   * rank 0 writes its data. A vtkActiveImplicitSurface on these ranks sends all data to rank 0.
+   * With null, or a controller of a single process, this process writes. Default: VTK's global
    * controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
@@ -197,8 +199,8 @@ public:
   ///@}
 
   /**
-   * Updates the input and writes. Returns 0, with an error and ErrorCode, if that fails or
-   * AbortExecute was set. Files of earlier time steps are kept.
+   * Updates the input and writes the files. Returns 0, with an error and ErrorCode, after a failure
+   * or if AbortExecute was set. Files of earlier time steps are kept.
    */
   int Write();
 

@@ -39,10 +39,10 @@ namespace
 //
 // The body is thin at a surface point if the function is positive on both sides along the normal,
 // within that length. One of these points is outside near the surface point, the other point behind
-// the opposite side of the body. The test needs no distances, no resolution of the part and no
-// oriented normals. The function has to rise along the normal to within 45 degrees, so that the
-// opposite side faces the point. Edges of a cube, or of any wedge of more than 45 degrees, are
-// therefore not thin: the lattice rounds these edges off, but does not lose them.
+// the opposite side of the body. The test needs neither distances, nor voxels that resolve the
+// part, nor oriented normals. The function has to rise along the normal to within 45 degrees, so
+// that the opposite side faces the point. Edges of a cube, or of any wedge of more than 45 degrees,
+// are therefore not thin: the lattice rounds these edges off, but does not lose them.
 
 // Equidistant points along a normal.
 struct RayPoints
@@ -54,7 +54,7 @@ struct RayPoints
 RayPoints MakeRayPoints(const SurfaceSample& surface, double thickness)
 {
   constexpr double within = 0.99; // tolerance, so that parts of exactly this thickness are not thin
-  constexpr double part = 0.25;   // of the detail, to sample its slopes
+  constexpr double part = 0.25;   // fraction of the detail: resolves its slopes
   constexpr double mostSteps = 256.0;
   const double length = (surface.IsMiddle ? 0.5 : 1.0) * within * thickness;
   const double step = part * std::min(thickness, surface.Detail);

@@ -2,8 +2,8 @@
  * @class vtkGridPotential
  * @brief an image, or the distance to a mesh, as an implicit function
  *
- * F(x) is interpolated trilinearly between samples on a lattice; the gradient is the exact one of
- * that interpolation. F is negative inside, as all implicit functions of VTK.
+ * F(x) is interpolated trilinearly between samples on a lattice; the gradient is the exact
+ * derivative of the interpolation. F is negative inside, as all implicit functions of VTK.
  *
  * @par Samples
  * - Image: the point scalars of a vtkImageData, of any type and one component. F = sample -
@@ -11,8 +11,8 @@
  *   are used. Beyond the image's box F is the distance to the box [length], so a body that reaches
  *   the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
  * - Level set: the voxels of a sparse level set that a vtkImageData carries in place of arrays
- *   (vtkActiveVDBReader with OutputDense off), in the same way. Beyond its band F is the level
- *   set's background, + or - a constant, with gradient 0.
+ *   (vtkActiveVDBReader with OutputDense off). F is that of an image of these voxels. Beyond the
+ *   band F is the level set's background, + or - a constant, with gradient 0.
  * - Mesh: the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice
  *   through the origin with voxels of VoxelSize, within Reach of the mesh. Beyond, F is +-Reach
  *   with gradient 0. A closed mesh bounds a solid, whichever way its polygons are turned.
@@ -22,22 +22,22 @@
  * @par Meshes with defects
  * - Points of equal coordinates are merged.
  * - GetDefects() reports edges of only one polygon (the mesh is open), edges of more than two
- *   polygons, and omitted polygons: a point is not finite or does not exist, or the area is exactly
- *   zero. A warning is issued once when the mesh is read.
+ *   polygons, and omitted polygons. A polygon is omitted if a point is not finite or does not
+ *   exist, or if fewer than three points differ. A warning is issued once when the mesh is read.
  * - A mesh is closed if each edge belongs to an even number of polygons: closed bodies may touch
  *   along an edge.
  * - A mesh that is not closed becomes a shell if MeshThickness > 0: F is the unsigned distance -
- *   MeshThickness / 2. Otherwise it is treated as a solid: points whose winding number exceeds a
- *   half are inside (generalized winding numbers), so a cap from rim to rim closes a hole.
+ *   MeshThickness / 2. Otherwise the mesh is treated as a solid: points whose generalized winding
+ *   number exceeds 1/2 are inside. A cap from rim to rim then closes each hole.
  * - A sheet has no inside. The inside is undefined if neighbouring polygons are turned to different
  *   sides.
  *
  * @par Errors
  * - Bad input is an error, issued once when the input is read and returned by GetError(). F is then
  *   1 everywhere (outside) with gradient 0, as without input.
- * - Unusable inputs: other data sets, flat images (of one pixel along an axis), arrays that are
- *   missing or of several components, axes that are not orthogonal, meshes without polygons, and
- *   lattices that are too large.
+ * - Unusable inputs: other classes of data, flat images (of one pixel along an axis), arrays that
+ *   are missing or of several components, axes that are not orthogonal, meshes without polygons,
+ *   and lattices that are too large.
  * - F and its gradient are NaN if x is not finite.
  *
  * @par Threads
@@ -102,7 +102,8 @@ public:
 
   ///@{
   /**
-   * Image: the sample on the surface F = 0 [unit of the image]. Range: finite. Default: 0.
+   * Image: value of the samples on the surface F = 0 [unit of the image]. Range: finite. Default:
+   * 0.
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);
@@ -120,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Mesh: spacing of the samples [length]. Memory and time of reading are proportional to 1 /
-   * VoxelSize^3, or 1 / VoxelSize^2 at a fixed number of voxels in Reach. Range: > 0, or -1,
-   * automatic: the longest side of the mesh's bounds / 64. Default: -1.
+   * Mesh: spacing of the samples [length]. Memory and time of reading grow as 1 / VoxelSize^3, or
+   * as 1 / VoxelSize^2 if Reach is a fixed number of voxels. Range: > 0, or -1, automatic: the
+   * longest side of the mesh's bounds / 64. Default: -1.
    */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
@@ -170,12 +171,12 @@ public:
   const char* GetDefects();
 
   /**
-   * Reason why F is 1 everywhere, as a sentence; empty if it is not. Reads the input.
+   * Error of the last reading, as a sentence; empty if there was none. Reads the input.
    */
   const char* GetError();
 
   /**
-   * Includes own changes, those of the transform and those of the input.
+   * Time of the last change of the function, its transform or its input.
    */
   vtkMTimeType GetMTime() override;
 
@@ -196,13 +197,13 @@ public:
   ///@}
 
   /**
-   * Gradient of F, without the transform: the exact one of the interpolation; 0 where F is
+   * Gradient of F, without the transform: the exact derivative of the interpolation; 0 where F is
    * constant.
    */
   void EvaluateGradient(double x[3], double g[3]) override;
 
   /**
-   * F, and its gradients unless that is null, at `count` points (x y z each), without the
+   * F at `count` points (x y z each), and its gradients unless `gradients` is null, without the
    * transform. Uses the state of the last Build(), in the calling thread.
    */
   VTK_WRAPEXCLUDE void EvaluateBatch(

@@ -20,14 +20,14 @@
  * W(q) = Threshold / strength: at q0 with the defaults (Threshold 0.5, strength 1).
  *
  * @par Elements
- * - Segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength are
- *   linear between the two ends, evaluated at the point of the segment closest to x. If they change
- *   along the segment, the gradient jumps across the planes through the ends. A piece that occurs
- *   twice counts once.
+ * - Segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength are those
+ *   of the point of the segment closest to x, linear between the ends. If the radius or the
+ *   strength changes along the segment, the gradient jumps across the planes through the ends. A
+ *   piece that occurs twice counts once.
  * - Points: every point that is the end of no segment, and every point of a vertex cell. Without
  *   lines, and in any other vtkPointSet, these are all points, whatever the cells.
- * - Through SetInputConnection also a vtkTable and composite data sets, as points, as for
- *   vtkActiveImplicitSurface.
+ * - SetInputConnection also accepts a vtkTable and composite data sets of points, as
+ *   vtkActiveImplicitSurface does.
  *
  * @par Joints
  * - Joints do not bulge: the contribution of a point shared by m segments, which each segment
@@ -119,8 +119,9 @@ public:
 
   ///@{
   /**
-   * Distance [length] at which the influence of an element ends, without an array of radii. Range:
-   * >= 0; 1e-100 to 1e100, else all elements are ignored, with a warning. Default: 1.
+   * Distance [length] at which the influence of an element ends, unless an array of radii is
+   * chosen. Range: >= 0; outside 1e-100 to 1e100 all elements are ignored, with a warning. Default:
+   * 1.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
@@ -129,7 +130,8 @@ public:
   ///@{
   /**
    * Name of the point array of radii [length], one number > 0 per point, in place of Radius. Radii
-   * may differ by any factor; each halving adds to the cost of an evaluation. Default: empty, none.
+   * may differ by any factor; each factor of two adds to the cost of an evaluation. Default: empty,
+   * none.
    */
   void SetRadiusArrayName(const char* name);
   const char* GetRadiusArrayName() const { return this->RadiusArrayName.c_str(); }
@@ -137,8 +139,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array of strengths [1], one number per point. Negative strengths carve. Range
-   * of the numbers: -1e100 to 1e100. Default: empty, all elements have strength 1.
+   * Name of the point array of strengths [1], one number per point. Negative strengths reduce the
+   * sum. Range of the numbers: -1e100 to 1e100. Default: empty, all elements have strength 1.
    */
   void SetStrengthArrayName(const char* name);
   const char* GetStrengthArrayName() const { return this->StrengthArrayName.c_str(); }
@@ -209,7 +211,7 @@ public:
   vtkIdType GetNumberOfIgnoredElements();
 
   /**
-   * Includes own changes, those of the transform and those of the input.
+   * Time of the last change of the function, its transform or its input.
    */
   vtkMTimeType GetMTime() override;
 
@@ -235,17 +237,17 @@ public:
   void EvaluateGradient(double x[3], double g[3]) override;
 
   /**
-   * F, and its gradients unless that is null, at `count` points (x y z each), without the
+   * F at `count` points (x y z each), and its gradients unless `gradients` is null, without the
    * transform. Uses the state of the last Build(), in the calling thread.
    */
   VTK_WRAPEXCLUDE void EvaluateBatch(
     vtkIdType count, const double* points, double* values, double* gradients) const;
 
   /**
-   * Set point elements in place of an input, which is released: x y z each, and radii and strengths
-   * unless null (Radius, 1). The data are copied. Nothing is allocated, here and in the next
-   * Build(), if there have been as many elements before. For moving particles: elements are ignored
-   * without a warning.
+   * Replace the input, which is released, by points, such as moving particles. positions: x y z
+   * each. radii, strengths: null for Radius and 1. The data are copied. No memory is allocated,
+   * here and in the next Build(), if there have been as many points before. Unusable points are
+   * ignored without a warning.
    */
   VTK_WRAPEXCLUDE void SetElements(
     vtkIdType count, const double* positions, const double* radii, const double* strengths);

@@ -99,7 +99,7 @@ int CountLinesOfChunk(Imf::Compression compression)
     case Imf::DWAA_COMPRESSION:
       return 32;
     default:
-      return 256; // DWAB, and the largest of compressions newer than this code
+      return 256; // DWAB; also a bound for compressions newer than this code
   }
 }
 

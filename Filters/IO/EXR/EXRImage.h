@@ -62,7 +62,7 @@ private:
   std::vector<EXRPart> Parts;
 };
 
-// Selected channels: all except Exceptions or, if All is false, only these.
+// Selected channels: all except Exceptions or, if All is false, only Exceptions.
 struct EXRSelection
 {
   bool All = true;

@@ -25,7 +25,8 @@ SplitName Split(const std::string& channel)
   return { channel.substr(0, dot), channel.substr(dot + 1) };
 }
 
-// Sets of components that form one array, in the array's order. Numbered components form another.
+// Sets of components that form one array, in the array's order. Numbered components (0, 1, ...)
+// form an array, too.
 const std::vector<std::vector<std::string>> ComponentSets = { { "R", "G", "B", "A" },
   { "R", "G", "B" }, { "r", "g", "b", "a" }, { "r", "g", "b" }, { "X", "Y", "Z" },
   { "x", "y", "z" }, { "u", "v" }, { "U", "V" } };
@@ -92,7 +93,7 @@ void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>
   for (const std::vector<std::string>& names : ComponentSets)
   {
     const bool picture = names.front() == "R";
-    // Without a layer, X, Y and Z are three images.
+    // Outside a layer, X, Y and Z become three arrays.
     if ((!layer.empty() || picture) && Has(waiting, names))
     {
       layers.push_back(MakeLayer(waiting, layer, names));

@@ -28,7 +28,7 @@ struct EXRChannelRequest
 // Choices of the user.
 struct EXRChoices
 {
-  std::vector<EXRChannelRequest> Channels; // replace automatic channels of the arrays they name
+  std::vector<EXRChannelRequest> Channels; // replace the automatic channels of their arrays
   std::map<std::string, EXRPixel> Types;   // by array
   bool FromSRGB = false;
 };

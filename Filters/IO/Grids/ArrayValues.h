@@ -41,7 +41,7 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   }
 }
 
-// Number of a VTK array that stores a number of a grid.
+// Value type of the VTK array that stores numbers of a grid.
 template <class Number>
 using StoredNumber = std::conditional_t<std::is_same<Number, bool>::value, unsigned char,
   std::conditional_t<std::is_same<Number, openvdb::Int64>::value, vtkTypeInt64, Number>>;

@@ -24,7 +24,7 @@ void GetActiveBox(const VDBGrid* grid, int box[6]);
 
 void GetVoxelSize(const VDBGrid* grid, double size[3]);
 
-// The value of one name as text, empty if it does not exist; all values as lines.
+// Return metadata as text: the value of a name, empty if there is none; or a line for each entry.
 std::string GetMetadata(const openvdb::MetaMap* metadata, const std::string& name);
 std::string GetAllMetadata(const openvdb::MetaMap* metadata);
 

@@ -7,7 +7,7 @@
 // threads.
 //
 // OpenVDB's conversion of meshes, corrected by the walk of MeshDistance.h, would need twice the
-// time. Near medial axes its distances would be up to half a voxel too long.
+// time. Near medial axes the distances of that conversion would be up to half a voxel too long.
 
 #ifndef SkinBand_h
 #define SkinBand_h

@@ -12,14 +12,13 @@ namespace activesurface
 namespace
 {
 
-// Limits of a ratio that detects the surface of a body: distance from a particle to the mean of its
-// neighbours, divided by the neighbourhood's radius. The ratio is 0.24 in the flat surface layer of
-// a deep body, and below 0.1 inside.
+// Limits of the distance from a particle to the mean of its neighbours, divided by the
+// neighbourhood's radius: 0.24 in the flat surface layer of a deep body, below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
-// Distance from the outermost particles of a body to its surface, minus their own radius [own
-// radii]. The extra distance compensates for the volume that the body's edges lose.
+// Distance of a body's surface from its outermost particles, minus 1 [own radii]. This compensates
+// for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
 // Limits of the density of the neighbours that detect a body, in particles per (2 r)^3. The density
@@ -27,8 +26,7 @@ constexpr float OffsetOfBody = .1f;
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Support radius of an isolated particle, divided by the support radius in a body. Between the two
-// densities [particles per (2 r)^3] the support radius grows from one value to the other.
+// Least support radius / that in a body, and the densities between which the support radius grows.
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;

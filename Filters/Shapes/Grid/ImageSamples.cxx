@@ -245,10 +245,10 @@ double ImageSamples::GetSample(const int pixel[3]) const
   return this->Sign * (this->Pixels->GetComponent(id, 0) - this->IsoValue);
 }
 
-// Samples crossings along every `skip`-th line of each axis; at most about 4 million pixels are
-// read. A crossing represents the cross-section between lines, projected along its line. Crossings
-// of one axis count n_axis^2 of each surface element, so the three axes together count each surface
-// element once: n_x^2 + n_y^2 + n_z^2 = 1.
+// Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
+// at most about 4 million pixels. The area of a crossing is the cross-section between lines, times
+// |n_axis|. The crossings along one axis then have the area n_axis^2 of a surface element, and
+// those along all axes its whole area: n_x^2 + n_y^2 + n_z^2 = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

@@ -38,7 +38,7 @@ public:
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
   bool FindShape(double level, LatticeShape& shape) const override;
-  // Crossings of the surface along lines of pixels.
+  // Returns crossings of the surface with lines of pixels.
   SurfaceSample SampleSurface() const override;
 
 private:
@@ -52,7 +52,7 @@ private:
 
   vtkSmartPointer<vtkDataArray> Pixels;
   double IsoValue;
-  double Sign; // of the samples
+  double Sign; // factor of the samples: -1 exchanges the sides
   int Extent[6];
   double Origin[3];
   double Axis[3][3];    // from a pixel to the next along each axis [length]

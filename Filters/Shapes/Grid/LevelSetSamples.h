@@ -1,5 +1,6 @@
 // Samples of a sparse level set, which is attached to an image instead of pixels. Values are
-// trilinear between voxels. Beyond the band they are the level set's background, + or - a constant.
+// trilinear between voxels. Values beyond the band are the level set's background, + or - a
+// constant.
 
 #ifndef LevelSetSamples_h
 #define LevelSetSamples_h
@@ -26,7 +27,7 @@ public:
 private:
   openvdb::FloatGrid::ConstPtr Grid;
   double IsoValue;
-  double Sign; // of the samples
+  double Sign; // factor of the samples: -1 exchanges the sides
   openvdb::Mat4d ToIndex;
   openvdb::CoordBBox Box; // of the active voxels
 };

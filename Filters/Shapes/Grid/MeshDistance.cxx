@@ -119,8 +119,8 @@ double Walk::FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const
 }
 
 // Corrects distances beyond `exact` voxels by a walk; shorter distances are exact. OpenVDB ignores
-// walls inside overlapping bodies, but the mesh still contains these walls. A walk that shortens
-// the distance by a voxel or more has found such a wall, so the walk is ignored.
+// walls inside overlapping bodies, but the mesh still contains these walls. If a walk shortens the
+// distance by a voxel or more, it has found such a wall and is ignored.
 void Shorten(
   openvdb::FloatTree::LeafNodeType& leaf, const openvdb::Int32Tree& nearest, const Walk& walk)
 {

@@ -58,7 +58,8 @@ private:
 
 constexpr std::size_t TrianglesOfLeaf = 8;
 
-// Distance, in radii of a box, beyond which its triangles are one dipole: an error below 1 %.
+// Beyond this distance from a box [radii of the box], one dipole replaces its triangles, with an
+// error below 1 %.
 constexpr double FarInRadii = 2.5;
 constexpr double Sphere = 4.0 * 3.14159265358979323846;
 
@@ -169,7 +170,8 @@ using openvdb::Coord;
 using openvdb::Vec3d;
 using Nodes = std::vector<Coord>;
 
-// 0.5 plus the error of dipoles; without this margin a large sheet would have spurious insides.
+// 0.5 plus the error of dipoles. Without this margin, points near a large sheet could count as
+// inside.
 constexpr double Half = 0.51;
 // Distance from the mesh up to which all nodes are evaluated [voxels].
 constexpr float Near = 2.f;
@@ -190,7 +192,7 @@ public:
 
   // Returns 1 outside and -1 inside, at every node.
   openvdb::FloatTree FindSigns() const;
-  // Adds the caps as triangles, up to a voxel from the mesh.
+  // Adds the caps as triangles. A cap ends about a voxel from the mesh.
   void AddTo(MeshTriangles& mesh) const;
 
 private:
@@ -253,7 +255,8 @@ void Caps::Evaluate(const Nodes& nodes)
   }
 }
 
-// Returns the nodes around a cap that have not been visited.
+// Finds the given nodes beside a cap, and returns the nodes around them that were not visited
+// before.
 Nodes Caps::Grow(const Nodes& nodes)
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

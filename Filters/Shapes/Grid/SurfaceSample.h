@@ -16,8 +16,8 @@ struct MeshTriangles;
 struct SurfacePoint
 {
   std::array<double, 3> Place;
-  std::array<double, 3> Normal; // of length 1, on either side
-  double Area;                  // that the point represents
+  std::array<double, 3> Normal; // of length 1, outward or inward
+  double Area;                  // area that the point represents
 };
 
 // Sample of a surface. An area fraction s estimated from n points has an error of sqrt(s (1 - s) /
@@ -27,14 +27,15 @@ struct SurfaceSample
   static constexpr std::size_t Most = 8192;
 
   std::vector<SurfacePoint> Points;
-  double Detail = std::numeric_limits<double>::infinity(); // smooth within [length]
-  bool IsMiddle = false; // of a shell: points are half the thickness below its surface
+  double Detail = std::numeric_limits<double>::infinity(); // smooth within this length
+  bool IsMiddle = false;                                   // points are in the middle of a shell
 };
 
 // Distributes points evenly over the area of a mesh.
 SurfaceSample SampleSurface(const MeshTriangles& mesh);
 
-// Collects points of an unknown total number: all, or every second, fourth ... one.
+// Collects points whose total number is unknown: all points, or every second, fourth, eighth ...
+// point.
 class SurfaceGatherer
 {
 public:

@@ -23,7 +23,7 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // SetData and Connect replace each other's input. Both return true if the input has changed; the
+  // SetData and Connect replace any earlier input. They return true if the input has changed; the
   // time of the change is later than every time that FindMTime has returned.
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);

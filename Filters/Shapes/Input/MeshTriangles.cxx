@@ -154,7 +154,7 @@ void Reader::AddPolygon(vtkIdList* ids)
   }
 }
 
-// Flat triangles are common in strips, where they turn or join the strip.
+// Flat triangles of strips are no defects: they turn or join strips.
 void Reader::AddStrip(vtkIdList* ids)
 {
   vtkNew<vtkIdList> triangle;

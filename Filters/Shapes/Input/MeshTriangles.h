@@ -3,8 +3,8 @@
 //
 // A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
 // crossings of a path to infinity then determine whether a point is inside. Bodies may touch along
-// an edge of four polygons. An edge of one polygon bounds a hole, and an edge of three polygons
-// ends a wall.
+// an edge of four polygons. At an edge of one polygon there is a hole; at an edge of three polygons
+// a wall ends.
 
 #ifndef MeshTriangles_h
 #define MeshTriangles_h
@@ -52,8 +52,8 @@ struct VTKACTIVESHAPES_EXPORT MeshTriangles
 };
 
 // Merges points of equal coordinates, so that separate triangles with coincident corners form a
-// closed mesh. Concave polygons are triangulated correctly. Quadrangles are cut in the same way by
-// every release of VTK. Lines and vertices are ignored.
+// closed mesh. Concave polygons are triangulated correctly. The result for quadrangles is the same
+// with every release of VTK. Lines and vertices are ignored.
 VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
 // Returns the bounding box of the valid polygons and strips, at a much lower cost than

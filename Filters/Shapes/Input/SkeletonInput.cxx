@@ -146,7 +146,8 @@ std::vector<bool> FindLonePoints(
   return isLone;
 }
 
-// Subtracts each joint of m segments m - 1 times, because every segment includes it.
+// Subtracts each joint of m segments m - 1 times, because each of these segments includes the
+// joint.
 void AddSegments(const std::vector<SkeletonVertex>& vertices, const std::vector<Ends>& segments,
   Skeleton& skeleton)
 {
