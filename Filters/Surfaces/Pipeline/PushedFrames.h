@@ -34,8 +34,8 @@ public:
   bool AreConnected() const;
 
   // Makes the data the newest frame, dt after the previous frame, and connects port 0 to the
-  // frames. The first frame is at StartTime. resumed: times of a loaded state, whose last one is
-  // that of the data; or empty. Shares the data's arrays. Throws std::invalid_argument for invalid
+  // frames. The first frame is at StartTime. resumed: times of a loaded state, up to the time of
+  // the data; otherwise empty. Shares the data's arrays. Throws std::invalid_argument for invalid
   // data or dt, and then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
     const std::vector<double>& resumed = {});

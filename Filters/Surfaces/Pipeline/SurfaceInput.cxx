@@ -197,7 +197,7 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
   const OwnPiece own = HasNothing(object) ? OwnPiece() : this->MakeOwn(AsDataSet(object), kept);
   const std::string name = "The input of port " + std::to_string(this->Port);
   const AllPieces all = AgreeOnPieces(this->Ranks, own.Facts, name);
-  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // throws, like one process
+  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // throws as on one process
   {
     return readOwn();
   }
@@ -206,7 +206,7 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
     return this->ReadOwned(own, all, kept, name);
   }
   std::shared_ptr<InputShape> whole = this->ReadWhole(own.Piece, kept, name);
-  if (all.Kind == PieceKind::Particles) // ReadOwned sets the other checksum
+  if (all.Kind == PieceKind::Particles) // for owned particles, ReadOwned sets the checksum
   {
     whole->Content = all.Content;
   }

@@ -132,7 +132,7 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   try
   {
     this->Simulation.Configure(this->FindSettings(properties));
-    const SurfaceDomain* domain = this->Simulation.FindDomain(); // several ranks do not read here
+    const SurfaceDomain* domain = this->Simulation.FindDomain(); // ReadFirst only on one process
     if (!domain && isWanted && this->Ranks.IsAlone())
     {
       this->ReadFirst(input);
@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, this source is requested at the target's time. That is the
-  // first time whenever the initial shape is needed.
+  // If both ports have the same source, this source is requested at the target's time. Whenever the
+  // initial shape is needed, the target's time is the first time.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);

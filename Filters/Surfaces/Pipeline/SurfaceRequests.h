@@ -29,8 +29,8 @@ class vtkMultiProcessController;
 namespace activesurface
 {
 
-// Records that an update is running. An update calls the observers of its progress and messages.
-// Calls by an observer must not remove the data in use.
+// Records that an update is running. An update calls the observers of its progress and messages. An
+// observer's calls must not remove data that the update uses.
 class UpdateInProgress
 {
 public:

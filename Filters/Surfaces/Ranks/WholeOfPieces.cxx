@@ -113,7 +113,7 @@ void AppendArrays(const Pieces& pieces, const std::string& what, vtkDataSet* who
   CopyAttributes(reference, whole->GetPointData());
 }
 
-// Joins the points, in double precision if the points of one piece are.
+// Joins the points, in double precision if one piece has double precision.
 vtkSmartPointer<vtkPoints> AppendPoints(const Pieces& pieces)
 {
   vtkIdType count = 0;

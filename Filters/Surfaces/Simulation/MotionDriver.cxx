@@ -113,7 +113,7 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.HasParticles(0, 0);
 }
 
-// Returns true if the target is static particles: the skin then keeps its start.
+// Returns true if the target is static particles: the skin then stays as it started.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
@@ -236,7 +236,7 @@ void MotionDriver::PlaceTargetFrom(int step)
   }
 }
 
-// Adds the work of `advance` to the counters, also if it throws.
+// Adds the work of `advance` to the counters, even if `advance` throws.
 template <class Advance>
 AdvanceReport MotionDriver::Count(const NarrowBand& band, Advance&& advance)
 {

@@ -20,7 +20,7 @@ namespace activesurface
 class MotionDriver
 {
 public:
-  // Keeps references to all three.
+  // Keeps references to the arguments.
   MotionDriver(const SurfaceSettings& settings, TargetBuilder& shapes, Warnings& messages);
   MotionDriver(const MotionDriver&) = delete;
   void operator=(const MotionDriver&) = delete;
@@ -43,7 +43,8 @@ public:
   // Advances from a step, or from an interruption after it, to a time up to the next step.
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
-  // Returns true, with a warning, also if MaximumSubsteps is reached: see report.IsSteady.
+  // Also returns true if MaximumSubsteps ended the motion: report.IsSteady is then false, and a
+  // warning is issued.
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 

@@ -48,7 +48,7 @@ struct Outside
   PipelineTime Time;
   double Share;          // fraction of the target
   const Motion& Law;     // parameters by which the skin moved
-  bool ParticlesAreLost; // otherwise parts of the target's inside are outside
+  bool ParticlesAreLost; // Share is of the particles; otherwise of the target's inside
 };
 
 // Warns if more than 1 % of the target is outside the skin.

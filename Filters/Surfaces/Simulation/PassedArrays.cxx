@@ -100,7 +100,7 @@ Pair FindPair(const PlacedParticles& particles, const char* name)
   return isMissing || !pair.IsAlike() ? Pair() : pair;
 }
 
-// The tuple of a particle, at the nearer of the steps that contain it.
+// The tuple of a particle at one of the two steps: the nearer of those that contain the particle.
 struct Place
 {
   vtkAbstractArray* Array;
@@ -183,7 +183,8 @@ public:
     this->Locator->BuildLocator();
   }
 
-  // Replaces weights by at least one, in ascending order of particles. Thread-safe.
+  // Replaces the contents of `weights` by at least one weight, in ascending order of particles.
+  // Thread-safe.
   void Find(const double x[3], std::vector<SkeletonWeight>& weights) const
   {
     this->Elements.FindWeights(this->Kernel, x, weights);

@@ -17,7 +17,7 @@ namespace activesurface
 
 struct PassedArrays
 {
-  std::optional<ParticleTrack> Particles; // at the time; none: nothing is passed
+  std::optional<ParticleTrack> Particles; // at the requested time; if none, nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
   std::vector<double> Velocities; // x y z of each particle, NaN: unknown; or empty
@@ -30,8 +30,8 @@ struct PassedArrays
 // one of the two steps, or differ between the steps in type or number of components.
 //
 // The skin's array "Velocity" is along `directions` (unit vectors). If the particles have
-// velocities, adds to this array their average without its component along `directions`. Does
-// nothing without particles.
+// velocities, adds to this array the average velocity without its component along `directions`.
+// Does nothing without particles.
 void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin);
 
 }

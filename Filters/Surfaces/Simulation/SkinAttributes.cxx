@@ -13,7 +13,7 @@ namespace activesurface
 namespace
 {
 
-// Returns true for the interval before the requested step, false for the one after it.
+// Returns true for the interval before the requested step, false for the interval after it.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target)
 {

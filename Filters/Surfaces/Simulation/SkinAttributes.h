@@ -57,7 +57,7 @@ bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arr
 class SkinAttributes
 {
 public:
-  // Keeps references to all. The frames that FindArrayFrames returns have to be stored.
+  // Keeps references to the arguments. The frames that FindArrayFrames returns have to be stored.
   SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
     const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays);
 

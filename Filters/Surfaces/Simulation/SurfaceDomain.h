@@ -14,8 +14,8 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation:
-  // The position is 0 along an axis with bounds near 0, otherwise near the centre of the bounds
+  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation.
+  // Along an axis it is 0 if the bounds are near 0, otherwise near the centre of the bounds
   // (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin

@@ -93,8 +93,8 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
   bool HasBegun() const { return this->Path.HasBegun(); }
-  // Returns the times of the history of a loaded state from which the surface is still to begin;
-  // the last one is the time of the state. Empty if there is no such state.
+  // Returns the times of a loaded state's history; the last time is that of the state. Empty
+  // without a loaded state, and after the surface has started from it.
   std::vector<double> ListTimesToResume() const;
   // Returns true if a motion that has begun continues with these settings.
   bool IsContinuedBy(const SurfaceSettings& settings) const
@@ -167,7 +167,8 @@ public:
   // The surface after Advance has reached the requested time: this rank's part, or the whole
   // surface if the requested arrays need the whole.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
-  // World position of the band's node (0, 0, 0). The band's positions are relative to it.
+  // World position of the band's node (0, 0, 0). The band's positions are relative to this
+  // position.
   const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
   // Shares ownership of the surface, which is not modified later.
   std::shared_ptr<const NarrowBand> ShareBand() const
@@ -224,7 +225,7 @@ public:
   SavedState GetState() const;
   // Returns the state at the requested time, which may lie between steps.
   SavedState GetRequestedState() const;
-  // Gathers the state of all ranks on rank 0; others get no band. Collective.
+  // Gathers the state of all ranks on rank 0; other ranks get no band. Collective.
   SavedState GatherState() const;
   // Resets the simulation. From now on the surface starts with this state. A change of settings
   // after the next Configure discards the state.
@@ -242,9 +243,9 @@ public:
   void ResetCounters() { this->Driver.ResetCounters(); }
 
 private:
-  // Returns true if the settings only append steps to the input, and the motion so far is valid for
-  // them. An input of one step is static, and the filter uses its own time steps. A motion over
-  // these time steps is not valid once the input has more steps.
+  // Returns true if the settings only append steps to the input, and the motion so far stays valid.
+  // The motion becomes invalid if an input of one step gets more steps: with one step the target is
+  // static, and the filter uses its own time steps.
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
     const bool isOnSteps =

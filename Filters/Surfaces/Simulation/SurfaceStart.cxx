@@ -116,7 +116,7 @@ bool StartOn(
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
   }
-  if (!start.Solid) // otherwise its faces are not on the surface of the shape
+  if (!start.Solid) // the faces of an obstacle are not on the surface of the shape
   {
     function.Surface = start.Shape.FindSurface();
     function.Surface.DepthOfWalls = FindMargin(start);

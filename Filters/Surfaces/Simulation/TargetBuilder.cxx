@@ -16,7 +16,7 @@ namespace activesurface
 namespace
 {
 
-// Distance from its surface within which a mesh as initial shape is sampled [voxels]: the width of
+// A mesh as initial shape is sampled within this distance from its surface [voxels]: the width of
 // the band and its ghosts.
 constexpr double InitialReach = 8.0;
 

@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-// Least number of particles of a sampled frame, over the largest number: fewer may be strays.
+// Least number of particles of a sampled frame / largest number. Fewer particles may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
 

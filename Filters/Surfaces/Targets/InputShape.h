@@ -58,7 +58,7 @@ public:
   /** Returns true if the other shape may be an empty shape of this kind. */
   virtual bool IsEmptyAs(const InputShape& other) const;
 
-  /** Returns true if a surface can start on it as the input of port 1. */
+  /** Returns true if a surface can start on this shape as the input of port 1. */
   virtual bool CanStart() const { return false; }
 
   /**
@@ -75,8 +75,8 @@ public:
   virtual std::string DescribeThinParts(const TargetOptions& options) const;
 
   /**
-   * Adds the box of a shape to `shapes`, which the domain must enclose, or the box of an image to
-   * `images`, which the domain equals.
+   * Adds the box of this shape to `images` if it is an image, otherwise to `shapes`; see MakeDomain
+   * (SurfaceDomain.h) for their use.
    */
   virtual void AddBounds(
     const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
@@ -102,7 +102,7 @@ public:
   /** The points of particles or of a skeleton; null for other kinds. */
   virtual const ParticleFrame* GetPoints() const { return this->GetParticles(); }
 
-  /** Returns true if it was read with these arrays or does not use arrays. */
+  /** Returns true if this shape was read with these arrays, or uses none. */
   virtual bool HasArrays(const ParticleArrays& arrays) const;
 
   /** Checksum of the input's data (ContentSum.h). */

@@ -46,7 +46,7 @@ public:
   {
     return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
-  // The particles' own radius: such a surface has no room for particles before the wall.
+  // Returns the own radius of the particles: no particle fits between a wall and a nearer surface.
   float GetWallGap() const override
   {
     return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);

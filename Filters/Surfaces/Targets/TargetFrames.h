@@ -46,7 +46,8 @@ public:
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
-  // Returns the track from a step to the next one, if that is stored. Valid until a step is added.
+  // Returns the track from a step to the next one, if the next one is stored. Valid until a step is
+  // added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
   // Returns the track from the step after this one back to this one, at its beginning.
   ParticleTrack GetTrackBack(int step, const PeriodicBox& box) const;
