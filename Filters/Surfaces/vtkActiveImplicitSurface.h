@@ -12,9 +12,9 @@
  *     + Transport * (v . n) + AreaStiffness * (A0 - A) / A0
  *     + VolumeStiffness * (V0 - V) / V0
  *
- * F is the target, or the distance to it, reduced within TargetNoise. kappa is the sum of the
+ * F is the target's value or distance, reduced within TargetNoise. kappa is the sum of the
  * principal curvatures, n the outward normal, v the velocity of the target's particles. A and V are
- * the skin's area and volume; their terms belong to AreaControl and VolumeControl PENALTY.
+ * the skin's area and volume; these terms belong to AreaControl and VolumeControl PENALTY.
  *
  * A change of a property restarts the motion, except where its comment says otherwise. -1 is the
  * automatic value of some properties; Get...InUse returns the value that was found.
@@ -22,16 +22,16 @@
  * @par Input 0 (optional): target
  * - No input: TargetFunction is the target.
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
- *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r, half
- *   of the spacing, and its kernel radius; if automatic, also VoxelSize (r) and TargetReach (6 r).
- * - Table of particles: a vtkTable with columns x, y, z (Points:0 ..., pos_x ...) and of arrays.
+ *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r (half
+ *   of the spacing) and kernel radius, and an automatic VoxelSize (r) and TargetReach (6 r).
+ * - Table of particles: a vtkTable with columns x, y, z (or Points:0 ..., pos_x ...) and others.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with the arrays that all blocks have. A single block with points may be of any kind.
  * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
- * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
- *   F is the distance to the mesh, from a vtkGridPotential.
- * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (InvertTarget: above;
- *   see there for masks), and within the image's box.
+ * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
+ *   the distance to the mesh, from a vtkGridPotential.
+ * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (with InvertTarget,
+ *   above), and within the image's box.
  *
  * @par Input 1 (optional): start, the shape at the first time
  * - No input: InitialFunction, else the target, is the shape.
@@ -47,13 +47,13 @@
  *   | 5     | length/time | particles' velocities  | displacements  |
  *
  * @par Target with time steps, all of one kind
- * - Particles move in straight lines from step to step. They are matched by ids (equal ids in order
- *   of position), without ids by index if both steps have the same number of particles, in the same
- *   order, else not at all. A particle missing in the next step fades out: its strength falls
- *   linearly to 0. A new particle fades in.
+ * - Particles move in straight lines from step to step. Ids match the particles of two steps, equal
+ *   ids in order of position. Without ids, indices match them if both steps have equally many
+ *   particles in the same order; else none match. A particle missing in the next step fades out:
+ *   its strength falls linearly to 0. A new particle fades in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
- *   interval. Parts that do not overlap shrink and grow (see CreateParts; skeletons vanish).
- * - A step without points or mesh cells has no target: the skin shrinks towards it, and vanishes.
+ *   interval. Parts that do not overlap shrink and grow (with CreateParts; skeletons vanish).
+ * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
  *
  * @par Output 0: skin, a closed vtkPolyData of outward triangles
  *   | Point array   | Unit        | Meaning                          |
@@ -65,7 +65,7 @@
  *
  * @par Output 1: potential, a vtkImageData
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
- *   1.5 voxels, and clamped to +-3 voxels.
+ *   1.5 voxels of the skin, and clamped to +-3 voxels.
  * - The extent covers ModelBounds, in lattice nodes, and crops the image, not the skin. Without
  *   ModelBounds the extent covers the first target, enlarged by a quarter; before the first update
  *   that extent is available only if port 1 is connected.
@@ -85,32 +85,32 @@
  *   | Event               |               | changes, joined by ", "   |
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
- *   count if outside by more than their own radius. Other targets are measured by volume: the
- *   inside in their box (a function's: ModelBounds) that is outside by more than a voxel. 1 % is
- *   accurate to 0.16 %. Points beyond walls are ignored. Above 1 % there is one warning, unless the
- *   fraction falls from step to step.
+ *   count if outside by more than their own radius. Other targets are measured by volume in their
+ *   box (functions: in ModelBounds): the inside that is outside the skin by more than a voxel. A
+ *   value of 1 % is accurate to 0.16 %. Points beyond walls are ignored. Values above 1 % cause one
+ *   warning, unless they fall from step to step.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
  *
  * @par Time
- * - The time steps of the input are passed on. If it has fewer than two (TargetFunction, static
- *   particles), StartTime + i * TimeStepSize are published.
+ * - The time steps of the input are published, or StartTime + i * TimeStepSize if the input has
+ *   fewer than two (TargetFunction, static particles).
  * - The surface starts at the first time step. A later time continues from the current state, and
- *   reads the input once for each step in between. The same time again costs nothing. An earlier
- *   time continues from the nearest earlier checkpoint (CheckpointInterval).
- * - A time between two steps branches off the earlier step. A time before the first step or after
- *   the last, or within rounding of a step, is that step.
+ *   reads the input once for each step in between. A repeated time costs nothing. An earlier time
+ *   continues from the nearest checkpoint before it (CheckpointInterval).
+ * - The skin between two steps is a branch from the earlier step. A time before the first step,
+ *   after the last step, or within rounding of a step counts as that step.
  * - The motion restarts when the target, the initial shape or a property of the motion changes, and
- *   when data without time steps replace other data. In situ the motion continues: of an input
- *   whose list of time steps has grown, only the new steps are read.
+ *   when data without time steps replace other data. In situ, if the input's list of time steps
+ *   grows, the motion continues, and only the new steps are read.
  * - If no time can be requested twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the
  *   requested times. Advance adds single frames.
  *
  * @par Reproducibility
- * - The result depends only on the time and the properties, bit by bit, not on the order of
- *   requests, the number of threads or of ranks.
- * - The first of several pieces has the whole skin and history; the image is split.
+ * - The result is bitwise identical for the same time, inputs and properties, for any order of
+ *   requests and any number of threads and ranks.
+ * - Of several pieces, piece 0 has the whole skin and history; the image is split.
  *
  * @par Errors
  * - Errors empty the outputs. The next update continues from the last finished substep.
@@ -149,9 +149,9 @@ public:
 
   ///@{
   /** Target, instead of an input: any implicit function, negative inside. All threads evaluate
-   * functions that only read their own data (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder,
-   * vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential;
-   * vtkImplicitBoolean of such) without a transform; one thread evaluates others. Default: none. */
+   * vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder, vtkCone, vtkQuadric, vtkSuperquadric,
+   * vtkSkeletonPotential, vtkGridPotential, and a vtkImplicitBoolean of these, without a transform.
+   * One thread evaluates any other function. Default: none. */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
   ///@}
@@ -169,23 +169,23 @@ public:
    * wall (its inside with the sign inverted, as by a vtkImplicitBoolean). The skin ends on the
    * obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice nodes, as
    * F / |grad F|, where the skin comes within 8 voxels. Obstacles thinner than two voxels leak. A
-   * change of the obstacle, of its transform too, restarts the motion. A saved state does not
-   * contain the obstacle: set it again. Threads as for TargetFunction. Default: none. */
+   * change of the obstacle or of its transform restarts the motion. A saved state does not contain
+   * the obstacle: set it again. Threads as for TargetFunction. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}
 
   ///@{
-  /** Level of the target that attracts the skin [unit of the target's values]; of images at port 1
-   * too. Range: finite. Default: 0. For masks (images of two values, none negative) and fractions
-   * of volume (0 to 1, most of them 0 or 1) 0 is the level midway, with the inside above. */
+  /** Level of the target that attracts the skin [unit of the target's values]; also of images at
+   * port 1. Range: finite. Default: 0. At 0, masks (two values, none negative) and fractions of
+   * volume (0 to 1, most of them 0 or 1) use the middle of their values, with the inside above. */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
   ///@}
 
   ///@{
-  /** Puts the inside above TargetIsoValue; for images at port 1 too. Turn on for densities, which
-   * are larger inside. Default: off, below. */
+  /** Makes values above TargetIsoValue the inside, also for images at port 1. Turn on for
+   * densities, which are larger inside. Default: off, values below are the inside. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
@@ -194,7 +194,7 @@ public:
   ///@{
   /** Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
    * F - TargetIsoValue. Attraction is then a rate for any scale of F; where F is flat, the speed is
-   * constant. Off: the speed is as uneven as F; steep targets cost many substeps. Default: on. */
+   * constant. Off: the speed varies with F; steep targets need many substeps. Default: on. */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
   vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
@@ -226,7 +226,7 @@ public:
 
   ///@{
   /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): the paper's sum of
-   * ParticleKernel at ParticleThreshold, bumpy, and more than r too wide at the defaults.
+   * ParticleKernel at ParticleThreshold; bumpy, and with the defaults more than r too wide.
    * ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles is flat and has their
    * volume; an isolated particle is a ball of radius r. Lines of a skeleton are always a SUM.
    * PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
@@ -239,20 +239,20 @@ public:
   ///@{
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
-   * nearest, reported by a warning; with KernelRadius or an array of radii, the spacing that
-   * belongs to it. The estimate is the least of those of the first, middle and last time step, read
-   * when the skin starts. Steps with less than a tenth of the largest number of particles are
-   * ignored. If the input cannot go back in time, only the first particles count. Default: -1. */
+   * nearest, reported by a warning; with KernelRadius or an array of radii, the spacing that fits
+   * these. The estimate is the least of the first, middle and last time step, all read when the
+   * skin starts. Steps with less than a tenth of the largest number of particles are ignored. If
+   * the input cannot go back in time, only the first particles count. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
-   * smoother and slower. An array of radii, if chosen, replaces KernelRadius: the radii of the
-   * balls and tubes that the skin shows for isolated elements. Kernels then end at 4.5 times that
-   * radius, with SUM where an isolated element gets it. Range: 1e-30 to 1e30, or -1, automatic: 2
-   * (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+   * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated element
+   * then becomes a ball or tube of the array's radius, and its kernel ends at 4.5 times this
+   * radius, or with SUM at the distance that gives this radius. Range: 1e-30 to 1e30, or -1,
+   * automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
@@ -295,7 +295,7 @@ public:
    * simulation of molecules. A particle that leaves the box through a side enters through the
    * opposite side, wherever the input lists it. Between two time steps a particle moves on the
    * shortest path. The skin is closed at the sides of the box. Range: finite; an axis with min >=
-   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), none is. */
+   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), no axis. */
   vtkSetVector6Macro(PeriodicBounds, double);
   vtkGetVector6Macro(PeriodicBounds, double);
   ///@}
@@ -304,10 +304,10 @@ public:
 
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
-   * at its multiples. Half the size needs 4 times the memory, 8 times (with Tension 16) the time.
-   * Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over particles (also of the
-   * estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
-   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: -1. */
+   * at multiples of VoxelSize. Half the size needs 4 times the memory and 8 times the time, with
+   * Tension 16 times. Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over
+   * particles (with SUM or ModelBounds only if the spacing is set), else a 64th of the bounds'
+   * longest side, over images a pixel if that is smaller, but at least a 1000th. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
@@ -317,7 +317,7 @@ public:
    * each lattice node, and which the potential's image covers. The skin may leave the box later.
    * Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box
    * of the first target and the initial shape (inputs, vtkSkeletonPotential and vtkGridPotential
-   * have one), enlarged by an eighth of its longest side, with images two voxels. */
+   * have one), enlarged by an eighth of its longest side, with images by two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -337,7 +337,7 @@ public:
   /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
    * target. Range: >= 0, or -1, automatic: 6 divided by the interval from an input step to the
-   * next, which leaves 1/400 of a distance; 1 if the input does not move, with EQUILIBRIUM and with
+   * next, which leaves 1/400 of a distance; 1 if the input is static, with EQUILIBRIUM and
    * PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
@@ -345,12 +345,12 @@ public:
 
   ///@{
   /** Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures)
-   * to the speed. Tension smooths the skin, and shrinks parts that the target does not hold. A ball
-   * without a target has radius sqrt(r0^2 - 4 * Tension * t). The distance to a ball of radius R
-   * holds a ball of radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none if R < 2.83
-   * sqrt(Tension / Attraction). Targets whose F / |grad F| is larger inside hold smaller balls:
-   * particles down to about 2.4; a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 *
-   * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
+   * to the speed. Tension smooths the skin, and shrinks small parts. A ball without a target has
+   * radius sqrt(r0^2 - 4 * Tension * t). If F is the distance to a ball of radius R, the skin keeps
+   * the radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), and vanishes if R < 2.83 sqrt(Tension
+   * / Attraction). If F / |grad F| is larger inside, smaller balls remain: over particles the
+   * factor is about 2.4, not 2.83; over a vtkSphere, whose F is r^2 - R^2, the radius is sqrt(R^2 -
+   * 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
    * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r; 0 over other
    * targets, with TensionWeighting off, SUM, PaperScheme, and where particles need explicit
    * substeps (see TimeIntegration). Default: -1. */
@@ -361,7 +361,7 @@ public:
   ///@{
   /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
    * particle or a thread of few: drops keep their size. The weight depends on neighbours within 3.6
-   * spacings: a third with half of a body's neighbours, 1 with three quarters of them. Of no use to
+   * spacings: a third with half of a body's neighbours, 1 with three quarters of them. No effect on
    * other targets, in explicit substeps and with PaperScheme. Default: on. */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
@@ -370,13 +370,13 @@ public:
 
   ///@{
   /** Amplitude [length] of noise in the target's surface. A skin within this distance of the target
-   * follows slowly, at 3 % of Attraction. Beyond, the skin soon follows at full Attraction; in a
-   * body of particles from 1.5 times the distance on. Particles move the skin of a body, as by
-   * Transport, only if they move together: velocities within the error of their mean are ignored.
-   * Drops and threads are not affected. The skin of a fluid in a steady state is therefore smooth,
-   * does not move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0
-   * or 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r; 0 over other targets,
-   * with SUM, PaperScheme, and where particles need explicit substeps. Default: -1. */
+   * follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of particles it is
+   * Attraction from 1.5 times this distance on. Particles move the skin of a body, as by Transport,
+   * only if they move together: velocities within the error of their mean are ignored. Drops and
+   * threads are not affected. The skin of a fluid in a steady state is therefore smooth, does not
+   * move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to
+   * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r; 0 over other targets, with SUM,
+   * PaperScheme, and where particles need explicit substeps. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -384,7 +384,7 @@ public:
   ///@{
   /** Fraction [1] of the particles' own velocity that carries the skin: adds Transport * (v . n) to
    * the speed. v is the mean velocity of nearby particles, from their motion to the next time step.
-   * With 1 the skin does not lag behind moving particles. Of no use to other targets, in explicit
+   * With 1 the skin does not lag behind moving particles. No effect on other targets, in explicit
    * substeps and with PaperScheme. Range: 0 to 1. Default: 1. */
   vtkSetClampMacro(Transport, double, 0.0, 1.0);
   vtkGetMacro(Transport, double);
@@ -393,12 +393,11 @@ public:
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
    * between disjoint shapes. A part appears with its size in that substep. Voids that only the
-   * target has, deep inside the skin, are created, too. Over a mesh, an image, or a
-   * vtkGridPotential as a function, these are connected parts and voids that the skin does not
-   * meet. Over particles, these are parts that the skin does not reach by itself. Parts that
-   * Tension would remove are not created. Off: a skin only appears where the previous skin has
-   * been. Of no use to skeletons of lines, to other functions and to the PaperScheme. Default:
-   * on. */
+   * target has, deep inside the skin, are created, too. Over a mesh, an image or a
+   * vtkGridPotential, such a part is a connected part or void that the skin does not meet; over
+   * particles, a part that the skin does not reach by itself. Parts that Tension would remove are
+   * not created. Off: a skin only appears where the previous skin has been. No effect on skeletons,
+   * on other functions and with PaperScheme. Default: on. */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
   vtkBooleanMacro(CreateParts, vtkTypeBool);
@@ -413,8 +412,8 @@ public:
   ///@{
   /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
    * steps. EQUILIBRIUM (1): there are no time steps; each update moves the skin to a steady state
-   * on the target of the first time step. RestTolerance or MaximumNumberOfSubsteps ends the motion.
-   * The history records which of them did, and a warning reports the latter. Default: TRANSIENT. */
+   * on the first step's target. RestTolerance or MaximumNumberOfSubsteps ends the motion. The
+   * history records which, and a warning reports MaximumNumberOfSubsteps. Default: TRANSIENT. */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
   vtkGetMacro(EvolutionMode, int);
   void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
@@ -442,14 +441,14 @@ public:
   };
 
   ///@{
-  /** Integration in time. EXPLICIT (0): substeps as short as the fastest part of the skin needs.
-   * AUTOMATIC (1): over particles one step for each time step, else EXPLICIT. That step carries the
-   * skin, evaluates the target once, at lattice nodes near its surface, and relaxes the skin
-   * towards it. Explicit substeps ignore Transport and TensionWeighting. Particles use EXPLICIT,
-   * with a warning, for features that only substeps support: an Attraction that shortens distances
-   * by less than e^2 in a time step, penalties, InvertTarget, TargetIsoValue (with SUM: at least
-   * ParticleThreshold), EQUILIBRIUM, CreateParts or NormalizeTarget off, TargetEvaluation and
-   * GradientScheme other than by default, PaperScheme. Default: AUTOMATIC. */
+  /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
+   * over particles one step for each time step, else EXPLICIT. That step carries the skin,
+   * evaluates the target once, at lattice nodes near the target's surface, and relaxes the skin
+   * towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
+   * EXPLICIT also with EQUILIBRIUM or PaperScheme, and, with a warning if they move, with:
+   * Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other
+   * than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation or
+   * GradientScheme not the default. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -472,7 +471,7 @@ public:
 
   ///@{
   /** Points at which the target is evaluated for a node's speed. SHIFTED (0): the crossings of the
-   * node's edges with the skin (paper, section 4.3), extended from there. NODE (1): the node
+   * node's edges with the skin (paper, section 4.3), extended to other nodes. NODE (1): the node
    * itself; the skin freezes into a staircase (paper, Figs. 2 and 3). CLOSEST_POINT (2): the skin's
    * closest point, as smooth as SHIFTED at four times the evaluations. Default: SHIFTED. */
   vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
@@ -498,9 +497,10 @@ public:
   ///@}
 
   ///@{
-  /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. Thresholds are
-   * at 3 voxels, samples are plain means (or by TargetEvaluation), F is used at nodes beyond,
-   * differences are central, time steps are (6) and (7) in a box of unit size. Default: off. */
+  /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
+   * is clamped to +-3 voxels. F is the mean at a node's crossings (or by TargetEvaluation), F at
+   * other nodes. Differences are central; time steps are by eq. (6) and (7) in a box of unit size.
+   * Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -517,11 +517,10 @@ public:
 
   ///@{
   /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control. PENALTY (1): a
-   * speed in proportion to the missing fraction. A ball of radius r0 without a target keeps missing
-   * a fraction e, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
+   * speed in proportion to the missing fraction. A ball of radius r0 without a target loses a
+   * fraction e, with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
    * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
-   * restores the volume, to 1e-6 and through splits to 1e-5, without stiffness. A substep then
-   * costs three times the time. Default: NONE. */
+   * restores the volume to 1e-6, through splits to 1e-5, at three times the cost. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -538,16 +537,16 @@ public:
 
   ///@{
   /** Volume [length^3] that VolumeControl conserves, with EXACT from the first frame on. Range:
-   * >= 0; 0 is that of the skin at the start. Default: 0. */
+   * >= 0; 0 is the volume at the start. Default: 0. */
   vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetVolume, double);
   ///@}
 
   ///@{
   /** Control of the area of the skin (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
-   * with VolumeControl. The offset of a penalty is e (1 - e)^(1/2) = 2 Tension / (AreaStiffness
-   * r0); its least stiffness is 5.196 Tension / r0. Not EXACT together with VolumeControl EXACT:
-   * one displacement cannot restore both. Default: NONE. */
+   * with VolumeControl. With PENALTY, the same ball loses e with e (1 - e)^(1/2) = 2 Tension /
+   * (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196 Tension. Not EXACT together
+   * with VolumeControl EXACT: one displacement cannot restore both. Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }
@@ -563,7 +562,7 @@ public:
 
   ///@{
   /** Area [length^2] that AreaControl conserves, with EXACT from the first frame on. Range: >= 0; 0
-   * is that of the skin at the start. Default: 0. */
+   * is the area at the start. Default: 0. */
   vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetArea, double);
   ///@}
@@ -580,29 +579,28 @@ public:
   ///@{
   /** Time at which the skin coincides with a static target [pipeline time after the first time
    * step], to 0.1 voxel where the target is a distance nearby. Each part moves at constant speed;
-   * thin limbs grow along their length. Parts of only one shape grow from a core (with CreateParts)
-   * or shrink. Then Attraction keeps the skin on the target. Ignored with EQUILIBRIUM; needs
-   * NormalizeTarget. Range: >= 0; 0: by Attraction, the skin comes near for ever. Default: 0. */
+   * thin limbs grow along their length. Parts only in the target grow from a core (with
+   * CreateParts); parts only in the start shrink. Later, Attraction keeps the skin on the target.
+   * Ignored with EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: no arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
 
   ///@{
-  /** First time step [pipeline time], published where the input has no time steps, or one. Equal
-   * neighbours among its steps count as one. Range: finite. Default: 0. */
+  /** First time step [pipeline time] if the input has at most one. Equal consecutive time steps of
+   * the input count as one. Range: finite. Default: 0. */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /** Interval [pipeline time] of the time steps that are published where the input has none. Range:
-   * > 0. Default: 0.1. */
+  /** Interval of steps [pipeline time] if the input has at most one. Range: > 0. Default: 0.1. */
   vtkSetMacro(TimeStepSize, double);
   vtkGetMacro(TimeStepSize, double);
   ///@}
 
   ///@{
-  /** Number of time steps published where the input has none. Range: 1 to 1000000. Default: 11. */
+  /** Number of time steps if the input has at most one. Range: 1 to 1000000. Default: 11. */
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
   vtkGetMacro(NumberOfTimeSteps, int);
   ///@}
@@ -639,12 +637,12 @@ public:
   ///@}
 
   ///@{
-  /** Largest length [length/time] of the vectors of "Velocity". Longer ones lose part of their
+  /** Largest length [length/time] of the vectors of "Velocity". Longer vectors lose part of their
    * normal component. Skin that catches up, as where parts merge, moves at up to Attraction *
-   * TargetReach and blurs into streaks. Range: >= 0; 0 is the speed of the fastest particle that is
-   * in both steps, its radius' change included (or by SetInputArrayToProcess(5, ...) with
-   * TangentialVelocity), over the interval since the step before (at the first step, to the next
-   * one); no bound if none moves, or for other targets. Does not restart the motion. Default: 0. */
+   * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle from the
+   * previous step to this one (at the first step, to the next): displacement and change of radius
+   * over time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no
+   * limit if no particle moves, or for other targets. Does not restart the motion. Default: 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
@@ -662,18 +660,18 @@ public:
   /** Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
    * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
    * Others, such as ids and names, come from the particle of the largest weight. Points outside all
-   * kernels use the nearest particle. Values are linear between two steps. Arrays are omitted if
-   * they are ghost levels, have a name of the skin's own arrays, lack a value for a point, or are
-   * not alike at both steps. Does not restart the motion. Default: off. */
+   * kernels use the nearest particle. Values are linear between two steps. Omitted are ghost
+   * levels, and arrays that have a name of the skin's own arrays, lack a value for a point, or
+   * differ in type between steps. Does not restart the motion. Default: off. */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);
   vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
   ///@}
 
   ///@{
-  /** Makes the potential's image, output port 1, with each skin, so that GetPotential() has it
-   * after Update(). Update(1) always makes it. The image needs 4 bytes for each lattice node in the
-   * bounds. Does not restart the motion. Default: off. */
+  /** Computes the potential's image, output port 1, with each skin, so that GetPotential() returns
+   * it after Update(). Update(1) always computes the image. The image needs 4 bytes for each
+   * lattice node in the bounds. Does not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
@@ -690,16 +688,16 @@ public:
   ///@}
 
   ///@{
-  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. When full, states are
+  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, states are
    * removed so that gaps stay smallest. Does not restart the motion. Range: >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}
 
   ///@{
-  /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 *
-   * (d / VoxelSize)^2 active voxels. Distances to a mesh that need ten times as many voxels are an
-   * error, too. Does not restart the motion. Range: >= 1. Default: 50000000. */
+  /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 * (d
+   * / VoxelSize)^2 active voxels. Distances to a mesh that need more than ten times as many voxels
+   * are an error, too. Does not restart the motion. Range: >= 1. Default: 50000000. */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
   ///@}
@@ -712,9 +710,9 @@ public:
   ///@}
 
   ///@{
-  /** Ranks that compute one skin, and update, save and load together. Each provides a piece of the
-   * inputs and outputs a part of the skin. Another controller of a single process does not restart
-   * the motion. Default: VTK's global controller. */
+  /** Ranks that compute one skin, and update, save and load together. Each rank provides a piece of
+   * the inputs and outputs a part of the skin. Another controller of a single process does not
+   * restart the motion. Default: VTK's global controller. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
@@ -723,30 +721,29 @@ public:
 
   ///@{
   /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
-   * step up to the time of the last update. LoadState loads it into a filter with the same
-   * properties and inputs. Times from that of the state on then continue from there, bitwise
-   * identically. With Advance, the first frame after LoadState is that of the saved time. Return
-   * false, with an error, if there is no state, or reading or writing fails. */
+   * step up to the time of the last update. LoadState loads a state into a filter with the same
+   * properties and inputs. From the state's time on, the motion then continues bitwise identically.
+   * With Advance, the first frame after LoadState is that of the saved time. Both return false,
+   * with an error, if there is no state, or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
 
   /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
-   * last one. The result is bitwise identical to that over the finished series. The frame becomes
-   * the input of port 0; it may be the same object with new contents. The first frame is at
-   * StartTime, or at the time of a loaded state, whatever its dt. GetOutput() is at the newest
-   * frame, whatever time is requested. A property that restarts the motion restarts it at that
-   * frame. Velocities do not use the next frame. Returns false, with an error, if there is no skin.
-   * A refused frame changes nothing. A frame at which the motion stopped before its end (an abort,
-   * MaximumNumberOfActiveVoxels) counts: Update() or the next frame resumes. Range of dt: > 0,
-   * finite. */
+   * last one. The result is bitwise identical to that of the complete series. The frame becomes the
+   * input of port 0, and may be the same object with new contents. The first frame is at StartTime,
+   * or at the time of a loaded state, whatever its dt. GetOutput() is at the newest frame, whatever
+   * time is requested. A property that restarts the motion restarts it at that frame. Velocities do
+   * not use the next frame. Returns false, with an error, if there is no skin. A rejected frame
+   * changes nothing. If the motion to a frame stops before its end (abort,
+   * MaximumNumberOfActiveVoxels), the frame is kept: Update() or the next frame resumes. Range of
+   * dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
-  /** Restarts the motion: at the next update, or at StartTime with the next Advance. Discards a
-   * loaded state. */
+  /** Restarts the motion at the next update, or at StartTime by Advance. Drops a loaded state. */
   void ResetTrajectory();
 
-  /** Sets PaperScheme on, EXPLICIT, SHIFTED, CENTRAL, NormalizeTarget off and SUM, as the paper. */
+  /** Sets PaperScheme, EXPLICIT, SHIFTED, CENTRAL, NormalizeTarget off, SUM, as in the paper. */
   void PaperFaithful();
 
   ///@{
@@ -757,8 +754,7 @@ public:
   ///@}
 
   ///@{
-  /** Values in use of the properties that may be -1, automatic: set or found, in their units. 0:
-   * none, and before the first update has read the inputs. */
+  /** Values in use of automatic properties (-1). 0: unused, or unknown before the first update. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
   double GetKernelRadiusInUse();
@@ -781,8 +777,8 @@ public:
    * time. It is trilinear and has the correct sign everywhere. It is a first-order distance
    * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is always the
    * same, with the new skin after each update. It is outside everywhere before the first update and
-   * after an error. As the target of another surface it restarts that one with each change: to
-   * follow a moving skin, connect the output port instead. */
+   * after an error. Each change restarts another surface that has it as TargetFunction: to follow a
+   * moving skin, connect the output port instead. */
   vtkImplicitFunction* GetSkinFunction();
 
   vtkMTimeType GetMTime() override;
