@@ -24,7 +24,7 @@ struct SavedState
   std::vector<HistoryRow> History;   //< up to Time
   double Spacing = 0.0;              //< particle spacing in use [length]; 0: unknown
   double Bounds[6] = {};             //< of the domain, relative to Origin
-  double Reach = 0.0;                //< of the target [length]; 0: there is no domain
+  double Reach = 0.0;                //< target reach [length]; 0: without a domain
 };
 
 }

@@ -14,7 +14,8 @@
  *   | weights.0, weights.1, ...       | weights                       |
  *   | others, as Z, id or light.key   | of the channel's name         |
  *
- * - HALF and FLOAT are read as float, bit by bit (NaN and infinity too), UINT as unsigned int.
+ * - HALF and FLOAT are read as float without loss, including NaN and infinity. UINT is read as
+ *   unsigned int.
  * - Colors are returned as the file stores them: linear.
  * - A sample of a subsampled channel is repeated over its pixels.
  * - Scanline files are read, and the finest level of tiled files. Deep data is an error.

@@ -14,7 +14,7 @@
  * - With OutputDense off, a level set is passed to an input port of a vtkActiveImplicitSurface, or
  *   to a vtkGridPotential, without a dense image. The output then has an extent, but no array, and
  *   carries the grid.
- * - If the ranks of a parallel program request pieces, piece 0 has all data, and the others are
+ * - If the ranks of a parallel program request pieces, piece 0 has all data, and other pieces are
  *   empty.
  *
  * @par Reading
@@ -172,7 +172,7 @@ public:
   ///@}
 
   ///@{
-  /** Returns the output if it is of that kind, else null. */
+  /** Return the output if it has the returned class, else null. */
   vtkImageData* GetImageOutput();
   vtkPolyData* GetPolyDataOutput();
   ///@}

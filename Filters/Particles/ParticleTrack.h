@@ -18,10 +18,10 @@ namespace activesurface
 {
 
 // Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
-// 0, or without a later step, these are the particles of the earlier step. Otherwise they are the
-// particles of the earlier step in their order, then the particles that are only in the later step
-// in their order. Particles whose strength has faded to zero are omitted. In a periodic box each
-// particle is replaced by its copies in the box and the margin.
+// 0, or without a later step, these are the particles of the earlier step. Otherwise these are the
+// particles of the earlier step, then those of only the later step, in the order of their steps.
+// Particles whose strength has faded to zero are omitted. In a periodic box each particle is
+// replaced by its copies in the box and the margin.
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
@@ -53,11 +53,11 @@ public:
   // otherwise those of FindVelocity.
   std::vector<double> ListVelocities() const;
 
-  // Interpolates a value linearly; a particle in only one of the steps keeps its value there.
+  // Interpolates a value linearly; a particle in only one step keeps the value of that step.
   double Interpolate(double earlier, double later, const ParticleOrigin& origin) const;
 
 private:
-  // n: index that counts faded particles too.
+  // n: index among all particles, including faded ones.
   ParticleOrigin OriginOf(std::size_t n) const;
   SkeletonVertex Place(const ParticleOrigin& origin) const;
   SkeletonVertex Between(const ParticleOrigin& origin) const;
@@ -68,7 +68,7 @@ private:
 
   struct Copy
   {
-    std::uint32_t Particle;        // index that counts faded particles too
+    std::uint32_t Particle;        // index among all particles, including faded ones
     std::array<int, 3> BoxLengths; // displacement in lengths of the box
   };
 

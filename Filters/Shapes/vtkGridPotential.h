@@ -222,14 +222,14 @@ public:
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 
   /**
-   * The connected parts of the region below a level, and its voids, without the transform; null if
-   * they are unavailable. The result for the last level is cached. Reads the input.
+   * The connected parts and the voids of the region below a level, without the transform; null if
+   * unavailable. The result for the last level is cached. Reads the input.
    */
   VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);
 
   /**
-   * Points near the surface of a level, without the transform; none if they are unavailable. Reads
-   * the input.
+   * Points near the surface of a level, without the transform; none if unavailable. Reads the
+   * input.
    */
   VTK_WRAPEXCLUDE activesurface::SurfacePoints FindSurface(double level);
 

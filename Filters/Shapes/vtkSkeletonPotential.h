@@ -53,8 +53,8 @@
  *
  * @par Errors
  * - Elements are ignored if a coordinate, radius or strength is not finite (or above 1e100), or a
- *   radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts them, and a warning is
- *   issued once when the input is read.
+ *   radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts ignored elements. A
+ *   warning is issued once when the input is read.
  * - A named array that is missing or does not have one number per point is an error. F is then
  *   Threshold everywhere, as without input or elements.
  * - F and its gradient are NaN if x is not finite.
@@ -171,7 +171,7 @@ public:
   ///@{
   /**
    * Model of the surface of points. SUM (0): the sum of Kernel. ANISOTROPIC (1): flat for a body of
-   * fluid, a ball of its own radius for an isolated point. Lines need SUM, else there is an error.
+   * fluid, a ball of its own radius for an isolated point. Lines with ANISOTROPIC are an error.
    * Default: SUM.
    */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);

@@ -24,7 +24,7 @@
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
  *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r (half
  *   of the spacing) and kernel radius, and an automatic VoxelSize (r) and TargetReach (6 r).
- * - Table of particles: a vtkTable with columns x, y, z (or Points:0 ..., pos_x ...) and others.
+ * - Table of particles: a vtkTable with columns x, y, z (Points:0 ..., pos_x ...), and of arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with the arrays that all blocks have. A single block with points may be of any kind.
  * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
@@ -323,9 +323,9 @@ public:
   ///@}
 
   ///@{
-  /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, and the
-   * skin ends on them, closed. Over particles, except in explicit substeps, a skin within r of a
-   * face rests on it, flat. Range: on or off. Default: off. */
+  /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, where the
+   * skin is closed. Over particles, except in explicit substeps, a skin within r of a face rests on
+   * it, flat. Range: on or off. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
@@ -774,11 +774,11 @@ public:
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. It is trilinear and has the correct sign everywhere. It is a first-order distance
-   * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is always the
-   * same, with the new skin after each update. It is outside everywhere before the first update and
-   * after an error. Each change restarts another surface that has it as TargetFunction: to follow a
-   * moving skin, connect the output port instead. */
+   * time. Its values are trilinear, with the correct sign everywhere. Within about 1.5 voxels of
+   * the skin they are first-order distances [length]; they are clamped to +-3 voxels. The object is
+   * always the same, with the new skin after each update. Before the first update and after an
+   * error all space is outside. Each update restarts a surface that has this object as
+   * TargetFunction: to follow a moving skin, connect the output port instead. */
   vtkImplicitFunction* GetSkinFunction();
 
   vtkMTimeType GetMTime() override;

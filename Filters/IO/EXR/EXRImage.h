@@ -31,7 +31,7 @@ struct EXRPart
   double ChunkBytes = 0.0;    // bytes of the lines or the tile that OpenEXR unpacks at a time
 };
 
-// Destination of a channel's pixels: unsigned int for UINT channels, float for the others.
+// Destination of a channel's pixels: unsigned int for UINT channels, float for other channels.
 struct EXRDestination
 {
   std::string Channel;

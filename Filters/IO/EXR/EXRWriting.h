@@ -33,7 +33,8 @@ struct EXRChoices
   bool FromSRGB = false;
 };
 
-// All channels, sorted by name. Throws FileError if two have the same name, or there is none.
+// Returns all channels, sorted by name. Throws FileError if two channels have the same name, or if
+// there is no channel.
 std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choices);
 
 struct EXRHeaderSettings

@@ -96,7 +96,7 @@ vtkSmartPointer<vtkDataArray> Fill(const Grid& grid, const int extent[6], int fa
   return array;
 }
 
-// Calls Fill with the grid's actual type, if it is one of these types.
+// Calls Fill with the grid's actual type, if this is one of the template's types.
 template <class Grid, class... Others>
 vtkSmartPointer<vtkDataArray> Dispatch(
   const openvdb::GridBase& grid, const int extent[6], int factor)

@@ -69,7 +69,7 @@ VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> dis
 VTKACTIVEPARTICLES_EXPORT double FindLargestDisplacement(const ParticleFrame& earlier,
   const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);
 
-// Indices of a particle in the two steps; NoPartner if it is absent.
+// Indices of a particle in the two steps; NoPartner in a step without the particle.
 struct ParticleOrigin
 {
   std::size_t Earlier;

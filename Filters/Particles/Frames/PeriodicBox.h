@@ -15,8 +15,8 @@ namespace activesurface
 struct PeriodicBox : Periods
 {
   // Width of a margin around the box. Copies of particles in the margin affect the surface in the
-  // box: their ellipsoids (up to 1.3 kernel radii) may overlap the box, or they may change the
-  // ellipsoid and the strength of a particle in the box.
+  // box: the ellipsoids of copies (up to 1.3 kernel radii) may overlap the box, or copies may
+  // change the ellipsoid and the strength of a particle in the box.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
   // Returns the shortest difference that equals `difference` modulo the length of the box.

@@ -79,8 +79,8 @@ struct GroupFits
   alignas(32) float Extent[3][8];
   alignas(32) float Reach[8];     // longest half-axis
   alignas(32) float Lone[8];      // kernel at the surface of an isolated particle
-  alignas(32) float Away[3][8];   // from the particle to its expected surface, if in a body
-  alignas(32) float Across[3][8]; // likewise, if in a sheet or thread
+  alignas(32) float Away[3][8];   // from the particle to the expected surface of a body
+  alignas(32) float Across[3][8]; // from the particle to that of a sheet or thread
 };
 
 // Weight of a neighbour at the distance d: its strength * (1 - d^2/W^2)^2, with its own W =

@@ -89,7 +89,7 @@ struct Sums
   alignas(32) float All[Size];     // of weights
   alignas(32) float Bulk[Size];    // of weights * bulk
   alignas(32) float Moved[Size];   // of the weights of particles with a known displacement
-  alignas(32) float Squares[Size]; // of these weights' squares
+  alignas(32) float Squares[Size]; // of the squares of these weights
   alignas(32) float Displacement[3][Size];
   alignas(32) float Square[Size]; // of weights * displacement^2
 };

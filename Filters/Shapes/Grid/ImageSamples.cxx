@@ -350,7 +350,7 @@ bool ImageSamples::FillBlock(double level, const openvdb::Coord& origin, PixelMa
   return isAny;
 }
 
-// Space beyond the image is outside. Blocks that are entirely inside are leaves, too.
+// Space beyond the image is outside. Blocks that are entirely inside become leaves, not tiles.
 bool ImageSamples::FindShape(double level, LatticeShape& shape) const
 {
   using Leaf = openvdb::MaskTree::LeafNodeType;

@@ -21,8 +21,8 @@ struct MeshLattice
 // is the identity, because OpenVDB rejects small voxels. Values beyond the band are + or - Band.
 //
 // OpenVDB's conversion propagates the closest triangle from node to node. If triangles are small,
-// these distances are up to half a voxel too long. Therefore a walk over the mesh follows, from
-// triangle to nearer triangle, until it reaches the closest triangle.
+// these distances are up to half a voxel too long. The conversion is therefore followed by a walk
+// over the mesh, from triangle to nearer triangle, up to the closest triangle.
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
 
 }

@@ -213,7 +213,7 @@ private:
   const double VoxelSize;
   const WindingNumber Winding;
   const openvdb::FloatGrid::Ptr Distance;
-  openvdb::FloatTree Windings; // active where they are computed
+  openvdb::FloatTree Windings; // active where computed
   openvdb::MaskTree Seen;
 };
 
@@ -255,8 +255,7 @@ void Caps::Evaluate(const Nodes& nodes)
   }
 }
 
-// Finds the given nodes beside a cap, and returns the nodes around them that were not visited
-// before.
+// Returns the nodes around those of `nodes` that are next to a cap, except visited nodes.
 Nodes Caps::Grow(const Nodes& nodes)
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

@@ -21,7 +21,7 @@ struct SurfacePoint
 };
 
 // Sample of a surface. An area fraction s estimated from n points has an error of sqrt(s (1 - s) /
-// n), as for random points. With 8192 points the error is at most 0.6 %; at s = 0.5 % it is 0.08 %.
+// n), as for random points. With 8192 points the error is at most 0.6 %, and 0.08 % at s = 0.5 %.
 struct SurfaceSample
 {
   static constexpr std::size_t Most = 8192;

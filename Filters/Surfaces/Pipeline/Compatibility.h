@@ -27,8 +27,8 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 enum class PriorAccess
 {
   Free,
-  Continue, // none: this time follows those requested before
-  Reset     // none: this time starts a new sequence
+  Continue, // no access: this time follows the times requested before
+  Reset     // no access: this time starts a new sequence
 };
 
 inline PriorAccess GetPriorAccess(vtkInformation* input)

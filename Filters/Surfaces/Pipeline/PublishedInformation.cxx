@@ -20,7 +20,7 @@ namespace
 {
 
 // Returns true if the extent is not empty and within `whole`. VTK splits an empty extent into
-// pieces that fail both tests.
+// pieces that are empty and outside `whole`.
 bool IsPartOf(const int extent[6], const int whole[6])
 {
   bool isPart = true;

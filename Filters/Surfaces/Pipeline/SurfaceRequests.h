@@ -73,7 +73,7 @@ public:
   explicit SurfaceRequests(vtkAlgorithm* filter);
 
   // Sets the ranks that make one skin together; null: only this process. Restarts the motion if
-  // there are or were several ranks.
+  // several ranks made the skin before, or make it from now on.
   void SetController(vtkMultiProcessController* controller);
   OutputShare GetShare() const { return { this->Ranks.GetRank(), this->Ranks.GetSize() }; }
 

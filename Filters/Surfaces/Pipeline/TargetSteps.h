@@ -17,7 +17,7 @@ namespace activesurface
 class TargetSteps
 {
 public:
-  // The caller owns both.
+  // The caller owns the arguments.
   TargetSteps(SurfaceInput& target, SurfaceSimulation& simulation)
     : Target(target)
     , Simulation(simulation)
@@ -34,7 +34,7 @@ public:
   // Reads the first step, and more steps to estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
-  // Adds the first step, the input's current data, if it is still missing.
+  // Adds the input's current data as the first step, if this step is still missing.
   void AddFirst(vtkInformation* target);
 
   // Returns a step, by an update within RequestData. mayGoBack: earlier steps may be requested from

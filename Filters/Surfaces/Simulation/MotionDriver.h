@@ -40,7 +40,7 @@ public:
   // below return false if `progress` cancelled the call, and throw like NarrowBand.
   bool Start(NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress);
 
-  // Advances from a step, or from an interruption after it, to a time up to the next step.
+  // Advances from a step, or from an interruption after this step, to a time up to the next step.
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
   // Also returns true if MaximumSubsteps ended the motion: report.IsSteady is then false, and a
@@ -90,8 +90,8 @@ private:
   std::size_t TargetEvaluations = 0;
   mutable std::unique_ptr<Obstacle> Solid; // null until FindObstacle creates it
   std::unique_ptr<Arrival> Arriving;       // kept while the motion is interrupted
-  int ArrivingFrom = -1;                   // step at which it was created
-  std::size_t ArrivingAt = 0;              // number of its target, see GetTargetNumber
+  int ArrivingFrom = -1;                   // step at which Arriving was created
+  std::size_t ArrivingAt = 0;              // number of the target of Arriving, see GetTargetNumber
 };
 
 }

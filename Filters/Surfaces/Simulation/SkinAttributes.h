@@ -1,4 +1,5 @@
-// Attributes of the skin at the requested time, such as speeds. Reading them changes no state.
+// Attributes of the skin at the requested time, such as speeds. Reading attributes changes no
+// state.
 
 #ifndef SkinAttributes_h
 #define SkinAttributes_h

@@ -65,7 +65,7 @@ struct SurfaceInputs
   bool TargetMoves = false;
   std::uint64_t TargetMTime = 0; // of the function, or of the whole upstream pipeline
 
-  // Initial shape; without a function and an input it is the target.
+  // Initial shape: a function, or the input if null, or the target without an input.
   vtkImplicitFunction* InitialFunction = nullptr;
   bool HasInitialInput = false;
   std::uint64_t InitialMTime = 0; // of the function, or of the whole upstream pipeline
@@ -121,7 +121,8 @@ struct SurfaceSettings
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
 
-  // Returns true if `others` differs only by time steps appended to the input's list.
+  // Returns true if these settings and `others` differ only by time steps appended to the input's
+  // list.
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }

@@ -79,7 +79,7 @@ void SurfaceSimulation::ResetTrajectory()
   this->History.Interrupt();
 }
 
-// Restores the last checkpoint up to a step, if it is later than the surface.
+// Restores the last checkpoint up to a step, if this checkpoint is later than the surface.
 void SurfaceSimulation::Rewind(int step)
 {
   const int saved = this->Saved.FindUpTo(step);
@@ -252,7 +252,7 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 
 bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
-  this->View.Clear(); // a view shares the band, which would be copied before it is moved
+  this->View.Clear(); // otherwise moving the band, which a view shares, would copy it
   this->Whole.reset();
   if (!this->Path.HasBegun())
   {

@@ -232,8 +232,8 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
   this->Initial = std::move(shape);
 }
 
-// Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if it
-// is automatic, a fraction of the spacing.
+// Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if
+// automatic, a fraction of the spacing.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())

@@ -35,7 +35,7 @@ struct ValuesInUse
 class TargetBuilder
 {
 public:
-  // Keeps references to both. Clear has to follow a change of the settings.
+  // Keeps references to the arguments. Clear has to follow a change of the settings.
   TargetBuilder(const SurfaceSettings& settings, Warnings& warnings);
   TargetBuilder(const TargetBuilder&) = delete;
   void operator=(const TargetBuilder&) = delete;
@@ -116,15 +116,14 @@ public:
   std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
   // Sets the spacing to the smallest spacing of the frames with enough particles. Uses the spacing
-  // of the first sample, from the first frame, if it differs from the smallest spacing by at most 1
-  // %.
+  // of the first frame, the first sample, if this differs from the smallest spacing by at most 1 %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // Returns a box that contains the inside of the target at a stored step; for a function or an
   // inverted target, returns the bounds of the domain. Not valid if there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
-  // Sets the initial shape from its input. Throws std::invalid_argument if it is not usable.
+  // Sets the initial shape from its input. Throws std::invalid_argument for an unusable shape.
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 

@@ -27,7 +27,7 @@ struct SurfaceSettings;
 class TargetCoverage
 {
 public:
-  // Keeps references to both.
+  // Keeps references to the arguments.
   TargetCoverage(const SurfaceSettings& settings, const TargetBuilder& shapes);
 
   // Has to be called after a change of the settings or the inputs.

@@ -114,8 +114,8 @@ double TargetBuilder::GetPixel() const
   return least;
 }
 
-// Returns the spacing that determines voxel size and reach; 0 if the spacing is unknown, or if it
-// would be an estimate for a sum of kernels.
+// Returns the spacing that determines voxel size and reach; 0 if the spacing is unknown, or
+// estimated for a sum of kernels.
 double TargetBuilder::GetSpacing() const
 {
   const ParticleSettings& particles = this->Settings.Particles;

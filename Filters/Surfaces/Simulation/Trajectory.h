@@ -34,7 +34,8 @@ public:
   // removes the state that leaves the smallest gap between steps; the first state is removed last.
   void Add(int step, const NarrowBand& band);
 
-  // Saves the state at any step and replaces an older one there. Ignores both limits.
+  // Saves the state at any step, and replaces an older state at this step. Ignores interval and
+  // memory.
   void Keep(int step, const NarrowBand& band);
 
   // Returns the last saved step <= step, or -1.
@@ -68,7 +69,7 @@ public:
   // Returns to the state before the start.
   void Reset();
 
-  // Sets the step and the band at it.
+  // Sets a step, and the band at this step.
   void Begin(int step, std::unique_ptr<NarrowBand> band);
 
   bool HasBegun() const { return this->Step >= 0; }

@@ -40,7 +40,7 @@ bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
 void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
   const PartVisitor& visit, const std::array<double, 3>& origin = {});
 
-/** Returns points near the surface; none if they are unavailable or the inside is unbounded. */
+/** Returns points near the surface; none if unavailable or if the inside is unbounded. */
 SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options);
 
 }

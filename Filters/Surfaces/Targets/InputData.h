@@ -28,8 +28,8 @@ public:
   virtual vtkAbstractArray* FindVelocities() const = 0;
 
   /**
-   * Returns the chosen values of an image, or its active scalars if none are chosen. Null for an
-   * image that has an attached grid instead; throws if it has neither.
+   * Returns the chosen values of an image, or its active scalars if none are chosen. Returns null
+   * for an image with an attached grid instead; throws for an image without both.
    */
   virtual vtkAbstractArray* FindValues() const = 0;
 };

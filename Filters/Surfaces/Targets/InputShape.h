@@ -43,7 +43,7 @@ public:
    */
   virtual bool HasPoints() const { return true; }
 
-  /** Returns true if there is no usable point: no surface can start there. */
+  /** Returns true if there is no usable point, so that no surface can start on this shape. */
   virtual bool IsEmpty() const { return false; }
 
   /**

@@ -24,7 +24,7 @@ class ParticleTarget
   , public NodeTarget
 {
 public:
-  // The caller owns the frames. They must contain the steps that MoveAlong uses.
+  // The caller owns the frames, which must contain the steps that MoveAlong uses.
   ParticleTarget(const TargetFrames& frames, const TargetOptions& options);
 
   // Options of the node scheme for particles of one radius.

@@ -49,7 +49,7 @@ public:
   // Returns the track from a step to the next one, if the next one is stored. Valid until a step is
   // added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
-  // Returns the track from the step after this one back to this one, at its beginning.
+  // Returns the track from the step after `step` back to `step`, at the beginning of this track.
   ParticleTrack GetTrackBack(int step, const PeriodicBox& box) const;
 
   // Returns the particle matches of a step and the next one; null if a step is not stored, or if
