@@ -41,7 +41,7 @@
  *   calls.
  *
  * @par Errors
- * - A file that is missing, truncated, damaged, larger than MaximumMemory or no EXR file is one
+ * - A file that is missing, truncated, damaged, larger than MaximumMemory or no EXR file causes one
  *   error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
  * - Sizes in a header are validated against the file size before memory is allocated.
  */

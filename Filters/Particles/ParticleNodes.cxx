@@ -140,7 +140,7 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
   this->FindFits();
 }
 
-// Radius of the ball around a particle whose nodes are in the shell [length].
+// Returns the radius of a ball around a particle [length]. All nodes in this ball are in the shell.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
   // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be

@@ -73,7 +73,7 @@ vtkActiveImplicitSurface::vtkActiveImplicitSurface()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
-  // No array of radii; the base class has chosen the active scalars.
+  // Chooses no array of radii; the base class has chosen the active scalars.
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Requests->GetSimulation().SetWarning(
     [this](activesurface::Warnings::Kind kind, const std::string& sentence)

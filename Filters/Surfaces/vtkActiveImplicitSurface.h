@@ -316,8 +316,8 @@ public:
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, at
    * each lattice node, and which the potential's image covers. The skin may leave the box later.
    * Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box
-   * of the first target and the initial shape (inputs, vtkSkeletonPotential and vtkGridPotential
-   * have one), enlarged by an eighth of its longest side, with images by two voxels. */
+   * of the first target and the initial shape (of inputs, vtkSkeletonPotential, vtkGridPotential),
+   * enlarged by an eighth of its longest side, with images by two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -617,8 +617,9 @@ public:
 
   ///@{
   /** Adds the point array "Velocity" [length/time]: the normal velocity by the equation of motion
-   * and, over particles, their velocity along the skin (TangentialVelocity). Valid through splits
-   * and merges. Costs an evaluation of the target. Does not restart the motion. Default: off. */
+   * and, over particles, the particles' velocity along the skin (TangentialVelocity). Valid through
+   * splits and merges. Costs an evaluation of the target. Does not restart the motion. Default:
+   * off. */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
   vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
@@ -770,7 +771,7 @@ public:
   /** The potential's image; empty unless it was requested, see OutputPotential. */
   vtkImageData* GetPotential();
 
-  /** One row for each time step up to the skin; columns: see above. */
+  /** The history: one row for each time step up to that of the skin; columns as above. */
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant

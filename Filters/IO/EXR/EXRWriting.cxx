@@ -137,8 +137,8 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
     samples.Stride, static_cast<std::size_t>(-row));
 }
 
-// Sets the worker threads of OpenEXR while one file is written. OpenEXR has no worker threads
-// unless the program has set their number. A number set by the program is kept.
+// Sets the number of OpenEXR's worker threads while one file is written, unless the program has set
+// a number. The default of OpenEXR is no worker thread.
 class PackingThreads
 {
 public:
@@ -327,7 +327,7 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
 void PlanArray(
   vtkDataArray* array, bool scalars, const EXRChoices& choices, std::vector<EXRSource>& sources)
 {
-  // Other readers and windows use array names such as PNGImage and ImageScalars.
+  // Color scalars need not be named RGB: other readers and windows use PNGImage, ImageScalars.
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {

@@ -26,7 +26,7 @@ constexpr float OffsetOfBody = .1f;
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Least support radius / that in a body, and the densities between which the support radius grows.
+// Least support radius, as a fraction of that in a body, and the densities between which it grows.
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;

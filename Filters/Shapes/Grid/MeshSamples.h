@@ -22,8 +22,8 @@ struct MeshMeasure
 class MeshSamples : public GridSamples
 {
 public:
-  // Throws std::invalid_argument for a mesh without polygons, and for a `measure` that is not
-  // finite or exceeds the lattice. Throws std::runtime_error beyond the maximum number of voxels.
+  // Throws std::invalid_argument for a mesh without polygons, and for invalid values of `measure`.
+  // Throws std::runtime_error beyond the maximum number of voxels.
   MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure);
   ~MeshSamples() override;
 

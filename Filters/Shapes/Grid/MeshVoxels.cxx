@@ -44,7 +44,7 @@ private:
   openvdb::tree::ValueAccessor<openvdb::MaskTree> Passed;
 };
 
-// Returns the number of equal parts, at most half a cube long, of a length.
+// Divides a length into equal parts, at most half a cube long. Returns the number of parts.
 double CountParts(double length)
 {
   return std::max(std::ceil(2.0 * length), 1.0);

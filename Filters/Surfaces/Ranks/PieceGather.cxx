@@ -129,7 +129,7 @@ InputPiece UnpackPiece(const Bytes& bytes)
   return piece;
 }
 
-// Returns the kind of the pieces with data. Throws if two differ.
+// Returns the kind of the pieces with data. Throws if two kinds differ.
 PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
 {
   PieceKind kind = PieceKind::Nothing;

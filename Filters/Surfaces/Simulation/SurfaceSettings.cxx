@@ -111,7 +111,7 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
 
 bool SurfaceInputs::operator==(const SurfaceInputs& other) const
 {
-  // The bindings list all members, so a new member that is missing here does not compile.
+  // The bindings list all members, so a new member that is missing here is a compile error.
   const auto compare = [](const SurfaceInputs& a, const SurfaceInputs& b)
   {
     const auto& [function, moves, time, initial, hasInitial, initialTime, obstacle, obstacleTime,

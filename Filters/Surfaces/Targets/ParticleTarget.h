@@ -2,7 +2,7 @@
 // kernel(distance / radius), or the potential of ellipsoids (ParticlePotential.h).
 //
 // Outside all supports F is constant with gradient zero. There the target attracts a skin with the
-// constant speed of a skin at the distance Reach.
+// constant speed that applies at the distance Reach.
 
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
