@@ -9,8 +9,8 @@
  *   | Array of the image            | Channels of the file           |
  *   | ----------------------------- | ------------------------------ |
  *   | RGBA or RGB                   | R, G, B, A or R, G, B          |
- *   | scalars of integer colors     | the same                       |
- *   | others of integer colors      | name.R, name.G, name.B, name.A |
+ *   | scalars of integer colors     | R, G, B, A or R, G, B          |
+ *   | other integer colors          | name.R, name.G, name.B, name.A |
  *   | N, P, others of 3 components  | N.X, N.Y, N.Z                  |
  *   | forward, others of 2          | forward.u, forward.v           |
  *   | others of 4                   | name.R, name.G, name.B, name.A |

@@ -17,7 +17,7 @@ namespace activesurface
 // 0.55 of the cube root. Returns 0 if no two particles have different positions.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
-// Returns the median radius over such a sample. Needs at least one particle.
+// Returns the median radius over the same sample. Needs at least one particle.
 VTKACTIVEPARTICLES_EXPORT double FindMedianRadius(const ParticleFrame& frame);
 
 }

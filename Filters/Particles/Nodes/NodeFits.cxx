@@ -79,7 +79,8 @@ bool NodeFits::HasTooManyNeighbours() const
   return neighbours > MostNeighbours * ParticlesOfSample;
 }
 
-// Visits groups of up to eight particles, in parallel over columns of parts of blocks.
+// Visits groups of up to eight particles. Each parallel task handles the parts of one block with
+// one x.
 template <class IsWanted, class Visit>
 void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
 {

@@ -39,7 +39,7 @@ public:
   // data or dt, and then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
     const std::vector<double>& resumed = {});
-  // Removes the newest frame; the previous one is the newest again.
+  // Removes the newest frame; the previous frame becomes the newest again.
   void Withdraw();
   // Makes the newest frame the first one.
   void ForgetPast() { this->Times = { this->Times.back() }; }

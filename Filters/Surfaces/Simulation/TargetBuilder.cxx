@@ -20,8 +20,8 @@ namespace
 // the band and its ghosts.
 constexpr double InitialReach = 8.0;
 
-// Limit of the voxels of a mesh's distance grid, per active voxel allowed for the skin. The band of
-// the distance grid is wider than the skin's band, and has fewer bytes per voxel.
+// Largest number of voxels of a mesh's distance grid / largest number of active voxels of the skin.
+// The band of the distance grid is wider than the skin's band, and has fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
 // The surface of static particles deviates by up to a quarter of their spacing.
