@@ -6,7 +6,7 @@
 and classes:
 
 skin(particles)          the skin over one frame of particles
-frames(series)           the skins over a series of particles, each from the previous
+frames(series)           the skins over a series of particles, each from the previous skin
 morph(a, b, duration)    one shape becomes another
 LiveSurface              a skin that follows a simulation as it runs
 ParticleSeries           particles or images over time, a source of a pipeline

@@ -106,7 +106,8 @@ class frames(Skins):
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
         See ParticleSeries. Images are masks of a label, volume fractions (inside above 0.5) or
-        distances (inside below 0); for others set ``target_iso_value`` and ``invert_target``.
+        distances (inside below 0); for other images set ``target_iso_value`` and
+        ``invert_target``.
     times : sequence of float, optional
         See ParticleSeries [time].
     fps : float, optional
@@ -156,6 +157,7 @@ class frames(Skins):
     surface : vtkActiveImplicitSurface
         The filter, for example for `history`.
     source : TemporalSource
+        The particles or images, with their times.
 
     Examples
     --------

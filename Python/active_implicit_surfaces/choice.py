@@ -79,7 +79,7 @@ def _split_values(text: str) -> list[str]:
 
 
 def _number(text: str) -> list[float]:
-    """Parses a number: [number], or [] if the text is none."""
+    """Returns [number], or [] if the text is no number."""
     try:
         return [float(text)]
     except ValueError:
@@ -125,7 +125,7 @@ def choose(
 
 
 def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:
-    """Returns for each value True if it meets the condition."""
+    """Returns True for each value that meets the condition, else False."""
     name, sign, wanted = condition
     is_text = values.dtype.kind == "U"
     numbers = [number for text in wanted for number in _number(text)]

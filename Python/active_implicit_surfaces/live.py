@@ -25,8 +25,8 @@ class LiveSurface:
     start : float
         Time of the first frame [time]. Default: 0.
     resume : str, optional
-        A .vdb of `save`, of a run with the same options. The first call of `advance` then passes
-        the particles of the time at which it was saved, and returns the saved skin.
+        A .vdb written by `save` in a run with the same options. The first call of `advance` then
+        has to pass the particles of the saved time, and returns the saved skin.
     preset, arrays, **options
         See `frames`.
 
@@ -71,8 +71,7 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. Do not change their arrays before the next call: the filter reads them
-            uncopied.
+            See `skin`. The filter does not copy arrays: do not change them before the next call.
         dt : float
             Time since the last call [time], more than 0. The first call is at `start`, or at the
             time of `resume`.

@@ -54,14 +54,14 @@ class morph(Skins):
     ValueError
         The filter reports an error (the text is its message), duration or frames are out of range,
         or a skin is empty although both shapes are not.
+    TypeError
+        Unknown keyword (the text names the closest one), or a shape of a wrong type.
 
     Warns
     -----
     UserWarning
         The shapes' sizes differ by more than half, or their distance is more than half of their
         size.
-    TypeError
-        Unknown keyword (the text names the closest one), or a shape of a wrong type.
 
     Attributes
     ----------

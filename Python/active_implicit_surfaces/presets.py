@@ -36,7 +36,7 @@ _STEPS = 6.0  # factors e per step, the filter's own choice
 def apply_preset(
     surface: Any, source: Any, name: str, interval: float | None, options: Mapping[str, Any]
 ) -> None:
-    """Sets the properties of a preset; `options` are set later and override them."""
+    """Sets the properties of a preset; `options` are set later and override the preset."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
     if name in ("molecule", "grains"):
@@ -53,7 +53,7 @@ def apply_preset(
 
 
 def estimate_spacing(cloud: Any) -> float:
-    """Returns the median distance to the third nearest particle, which the filter uses too.
+    """Returns the median distance to the third nearest particle, as the filter does.
 
     Returns 0 for a single particle.
     """

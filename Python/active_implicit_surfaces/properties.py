@@ -83,7 +83,7 @@ def find(keyword: str) -> Property:
 
 
 def given(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the options without options whose value the filter chooses."""
+    """Returns the options, without automatic properties that are "automatic" or -1."""
     return {
         keyword: value
         for keyword, value in options.items()

@@ -1,7 +1,7 @@
 """Skins as methods of PyVista's data sets; PyVista 0.48 and later finds them in a wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
-mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another one
+mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh
 
 Without a wheel `import active_implicit_surfaces.pyvista_accessor` registers them.
 """
@@ -65,7 +65,7 @@ class ActiveSurfaceAccessor:
 
         Parameters
         ----------
-        other : pyvista.PolyData, pyvista.ImageData, or what active_implicit_surfaces.morph accepts
+        other : pyvista.PolyData, pyvista.ImageData, or a shape for active_implicit_surfaces.morph
         duration : float
             Time at which `other` is reached [time]. Default: 1.
         **options

@@ -160,8 +160,8 @@ def capture(
         Z of the background [length]. Default: 1e10.
     apart : dict of vtkActor, optional
         Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives
-        ground.R, .G, .B, .A and ground.Z. The background is left out too, even if the dict is
-        empty, so that A is the coverage of the other actors. Default: none.
+        ground.R, .G, .B, .A and ground.Z. The background is left out, even if the dict is empty,
+        so that A is the coverage of the other actors. Default: none.
     origin : (float, float, float), optional
         Point of the world [length] that is subtracted from P, which has single precision.
 

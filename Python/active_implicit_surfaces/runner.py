@@ -98,7 +98,7 @@ class Skins:
 
 
 def update(surface: Any, time: float, source: Any = None) -> None:
-    """Updates a filter to a time; raises ValueError for its errors, or the source's exception."""
+    """Updates a filter to a time; raises the source's exception, or the filter's as ValueError."""
     with listening(*filter(None, (surface, source))) as heard:
         surface.UpdateTimeStep(time)
     if source is not None and source.failure is not None:

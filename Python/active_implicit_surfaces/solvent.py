@@ -117,7 +117,7 @@ def _image_of(values: Any, voxel: float, origin: Any) -> Any:
 
 class _Grid:
     """Points near atoms. `owner` of a point is the accessible ball in which the point is deepest,
-    `depth` the depth in this ball, `exit` the least distance found so far to a possible centre of
+    `depth` its depth in this ball, `exit` its least distance found so far to a possible centre of
     the probe.
     """
 
@@ -151,7 +151,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets the exit of a point radially out of its owner, if no other ball covers this exit."""
+        """Sets the exits of points radially out of their owner, where no other ball covers them."""
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]
@@ -224,8 +224,10 @@ def _neighbours(centers: Any, radii: Any) -> list[Any]:
 
 
 def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
-    """Yields the arcs outside all others where a ball meets later ones: centre, radius and half of
-    the angle, and axes in rows: to the arc's middle, across it, of the circle.
+    """Yields the arcs in which a ball meets later balls and which no other ball covers.
+
+    An arc has a centre, a radius, half of its angle, and three axes as rows: towards the middle of
+    the arc, across that in the plane of the circle, and normal to the plane.
     """
     second = near[near > ball]
     way = centers[second] - centers[ball]
@@ -258,7 +260,7 @@ def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
 
 
 def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, Any]:
-    """Returns rows, and start and end in [0, 2 pi] of the gaps that no ball covers."""
+    """Returns the gaps that no ball covers: row, start and end in [0, 2 pi]."""
     with numpy.errstate(divide="ignore", invalid="ignore"):
         half = numpy.where(excess <= -scale, numpy.pi, numpy.arccos(excess / scale))
     starts = numpy.where(covers, (angles - half) % _TURN, 0.0)

@@ -1,4 +1,4 @@
-"""Rejects options that have no effect in a run; the error names runs in which they act.
+"""Rejects an option that has no effect in a run; the error names runs in which the option acts.
 
 A run has facts: words such as "render", and "particle_model=sum" and the like for each choice
 and switch of the filter. An option has rows of facts, from the tables below or from the groups

@@ -85,7 +85,7 @@ class Resumption(Sink):
         self._saved = time.monotonic()
 
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
-        """Binds the state to a run; returns the first frame to make, 0 unless the state is kept.
+        """Binds the state to a run; returns the first frame to make, 0 if `is_kept` is False.
 
         Raises the errors of load(), and an error if the skin of an earlier frame is missing.
         """
