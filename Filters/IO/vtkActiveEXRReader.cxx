@@ -197,7 +197,8 @@ void vtkActiveEXRReader::NameFiles()
   }
   if (files.Names.empty())
   {
-    throw FileError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
+    throw FileError(
+      vtkErrorCode::NoFileNameError, "There is no file to read; set FileName or FileNames.");
   }
 }
 

@@ -128,7 +128,7 @@ void vtkActiveEXRWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    this->Fail(vtkErrorCode::UserError, "There is no input to write.");
+    this->Fail(vtkErrorCode::UserError, "There is no input to write; connect an image.");
     return;
   }
   this->Chosen->Step = 0;
@@ -195,7 +195,8 @@ void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
   {
     if (name.empty())
     {
-      throw FileError(vtkErrorCode::NoFileNameError, "FileName is not set.");
+      throw FileError(
+        vtkErrorCode::NoFileNameError, "FileName is not set; set it to the .exr file to write.");
     }
     const int number = this->FrameNumber + this->Chosen->Step;
     this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));

@@ -234,7 +234,8 @@ int vtkActiveVDBWriter::Write()
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    return fail(vtkErrorCode::UserError, "There is no input to write.");
+    return fail(vtkErrorCode::UserError,
+      "There is no input to write; connect a skin, a closed mesh or an image.");
   }
   try
   {
@@ -248,7 +249,9 @@ int vtkActiveVDBWriter::Write()
   }
   catch (const std::bad_alloc&)
   {
-    return fail(vtkErrorCode::UserError, "There is not enough memory for the grids of the file.");
+    return fail(vtkErrorCode::UserError,
+      "There is not enough memory for the grids of the file; enlarge VoxelSize, or write fewer "
+      "grids.");
   }
   catch (const std::exception& error)
   {

@@ -214,7 +214,7 @@ class Drops(unittest.TestCase):
         surface.SetPeriodicBounds(BOX)
         heard = Listener(surface)
         skin = skin_at(surface, 0)
-        self.assertIn("PeriodicBounds does nothing here", " ".join(heard.warnings))
+        self.assertIn("PeriodicBounds has no effect here", " ".join(heard.warnings))
         self.assertLess(points_of(skin)[:, 0].min(), -0.45, "not cut at the side")
 
     def test_narrow_boxes_are_refused(self):

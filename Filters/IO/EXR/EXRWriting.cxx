@@ -363,7 +363,7 @@ std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choic
   }
   if (sources.empty())
   {
-    Refuse("The input has no point array of numbers.");
+    Refuse("The input has no numeric point array; add one to the image.");
   }
   std::sort(sources.begin(), sources.end(),
     [](const EXRSource& a, const EXRSource& b) { return a.Channel < b.Channel; });

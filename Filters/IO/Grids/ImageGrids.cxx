@@ -112,7 +112,7 @@ openvdb::GridBase::Ptr MakeImageGrid(
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     throw std::invalid_argument(
-      "A point array of the image does not have one value for each point.");
+      "A point array of the image does not have one value for each point; remove the array.");
   }
   openvdb::GridBase::Ptr grid;
   if (kind == openvdb::GRID_LEVEL_SET)

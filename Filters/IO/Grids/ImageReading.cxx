@@ -109,8 +109,8 @@ vtkSmartPointer<vtkDataArray> Dispatch(
   {
     return Dispatch<Others...>(grid, extent, factor);
   }
-  throw std::invalid_argument(
-    "The grid \"" + grid.getName() + "\" of type " + grid.type() + " cannot be read as an image.");
+  throw std::invalid_argument("The grid \"" + grid.getName() + "\" of type " + grid.type() +
+    " cannot be read as an image; choose another GridName.");
 }
 
 // Returns the values of every `factor`th voxel in an extent. Throws std::invalid_argument for grids
@@ -346,7 +346,8 @@ openvdb::CoordBBox FindVoxels(const openvdb::math::Transform& transform, const d
   }
   if (!isFinite || bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5])
   {
-    throw std::invalid_argument("WorldRegion is empty, not finite or too far from the grid.");
+    throw std::invalid_argument("WorldRegion is empty, not finite or too far from the grid; set "
+                                "finite minima below the maxima, near the grid.");
   }
   return { openvdb::Coord::floor(index.min()), openvdb::Coord::ceil(index.max()) };
 }

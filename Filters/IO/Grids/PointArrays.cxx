@@ -233,7 +233,8 @@ void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData
 {
   if (!grid.isType<PointDataGrid>())
   {
-    throw std::invalid_argument("The grid \"" + grid.getName() + "\" holds no points.");
+    throw std::invalid_argument(
+      "The grid \"" + grid.getName() + "\" has no points; choose another GridName.");
   }
   const auto& points = static_cast<const PointDataGrid&>(grid);
   std::int64_t count;

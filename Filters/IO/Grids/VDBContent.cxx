@@ -142,7 +142,9 @@ void Content::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState
   }
   else
   {
-    throw std::invalid_argument("The input is neither a vtkPolyData nor a vtkImageData.");
+    throw std::invalid_argument(
+      "The input is neither a vtkPolyData nor a vtkImageData; connect a skin, a closed mesh or an "
+      "image.");
   }
 }
 
@@ -258,7 +260,8 @@ void Content::AddImage(vtkImageData* image)
   vtkDataArray* scalars = arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);
   if (!scalars || image->GetNumberOfPoints() == 0)
   {
-    throw std::invalid_argument("The image is empty, or has no point array of numbers.");
+    throw std::invalid_argument(
+      "The image is empty, or has no numeric point array; add an array to the image.");
   }
   this->Add(MakeImageGrid(image, scalars, this->Choice.Kind));
   for (int i = 0; this->Choice.PointArrays && i < arrays->GetNumberOfArrays(); ++i)

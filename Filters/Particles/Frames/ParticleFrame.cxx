@@ -34,9 +34,9 @@ vtkDataArray* AsNumbers(
     numbers->GetNumberOfTuples() != points)
   {
     throw std::invalid_argument(std::string("The array \"") +
-      (array->GetName() ? array->GetName() : "") + "\" cannot give the particles' " + what +
-      ": it has to hold " + (components == 1 ? "one number" : "three numbers") +
-      " for each point.");
+      (array->GetName() ? array->GetName() : "") + "\" cannot be used as the particles' " + what +
+      ", which need " + (components == 1 ? "one number" : "three numbers") +
+      " for each point; choose another array.");
   }
   return numbers;
 }
@@ -53,7 +53,8 @@ std::vector<std::int64_t> ReadIds(vtkDataArray* array)
     {
       throw std::invalid_argument(std::string("The array \"") +
         (array->GetName() ? array->GetName() : "") +
-        "\" cannot give the particles' ids: they have to be integers.");
+        "\" cannot be used as the particles' ids, which have to be integers; choose another "
+        "array.");
     }
   }
   vtkNew<vtkTypeInt64Array> ids;

@@ -51,7 +51,8 @@ vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
   if (!array)
   {
     throw std::invalid_argument(name.empty()
-        ? "The image has no numeric point array of one component."
+        ? "The image has no numeric point array of one component; add one, or make cell data "
+          "point data (vtkCellDataToPointData)."
         : called + " is missing, or does not hold numbers; check ScalarArrayName.");
   }
   if (array->GetNumberOfComponents() != 1)
@@ -136,8 +137,8 @@ void ImageSamples::ReadAxes(vtkImageData* image)
   }
   if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
   {
-    throw std::invalid_argument("The image has no place in space: its origin or spacing is not "
-                                "finite, a spacing is 0, or its direction matrix no rotation.");
+    throw std::invalid_argument("The image has no position in space: its origin or spacing is not "
+                                "finite, a spacing is 0, or its direction matrix is no rotation.");
   }
   vtkMath::Invert3x3(columns, this->Inverse);
   constexpr double roundings = 32.0;

@@ -58,11 +58,11 @@ void CheckMesh(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
         ? "The mesh has no valid polygon. " + mesh.Defects.Describe()
-        : std::string("The mesh has no polygons, and no strips of triangles."));
+        : std::string("The mesh has no polygons and no triangle strips; connect a closed mesh."));
   }
   if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
-    throw std::invalid_argument("The mesh has more than 2^31 - 1 triangles.");
+    throw std::invalid_argument("The mesh has more than 2^31 - 1 triangles; use fewer.");
   }
 }
 

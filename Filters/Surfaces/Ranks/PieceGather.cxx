@@ -143,9 +143,9 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
     }
     else if (kinds[rank] != PieceKind::Nothing && kinds[rank] != kind)
     {
-      throw std::invalid_argument(what + " is of one kind on rank " + std::to_string(first) +
-        " and of another on rank " + std::to_string(rank) +
-        "; make all pieces of the input particles, polygons and lines, or images.");
+      throw std::invalid_argument(what + " has different kinds of data on ranks " +
+        std::to_string(first) + " and " + std::to_string(rank) +
+        "; use one kind for all pieces: particles, polygons and lines, or images.");
     }
   }
   return kind;

@@ -58,7 +58,7 @@ std::vector<vtkAbstractArray*> FindArrays(
     {
       throw std::invalid_argument(what + " has the array \"" + name +
         "\" with another type or number of components on rank " + std::to_string(rank) +
-        " than on rank " + std::to_string(firstRank) + "; it has to be the same on all ranks.");
+        " than on rank " + std::to_string(firstRank) + "; make both the same on all ranks.");
     }
     arrays[rank] = array;
   }

@@ -62,7 +62,7 @@ constexpr double FactorsPerStep = 6.0;
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
-  "over their spacing. If this is meant, set TimeIntegration to EXPLICIT.";
+  "over their spacing. To accept that, set TimeIntegration to EXPLICIT.";
 constexpr char NoSkinOnNodes[] =
   "The particles have no surface that the voxels can resolve, or the obstacle covers it, so there "
   "is no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";

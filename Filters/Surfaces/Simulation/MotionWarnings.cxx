@@ -36,7 +36,7 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
     std::ostringstream text;
     text << "Before the motion time " << time.Value << " the target was not a finite number at "
          << report.DroppedSamples << " of " << report.TargetEvaluations
-         << " points of the skin; they were ignored. Check the target for values that "
+         << " points of the skin; these points were ignored. Check the target for values that "
          << "are not finite.";
     messages.Say("not finite", text.str());
   }
@@ -96,12 +96,13 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
     }
     return;
   }
-  text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
-       << report.SurfaceSpeed << " voxels per time, RestTolerance is " << rest.Tolerance;
+  text << "The skin has not reached a steady state after " << rest.MaximumSubsteps
+       << " substeps: its speed is " << report.SurfaceSpeed << " voxels per time, RestTolerance is "
+       << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
     text << ", and " << std::setprecision(2) << 100.0 * report.MovingShare
-         << " % of it last moved by more than " << SteadyStateCriterion::Still << " voxels";
+         << " % of the skin last moved by more than " << SteadyStateCriterion::Still << " voxels";
   }
   text << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
   messages.Say("no rest", text.str());

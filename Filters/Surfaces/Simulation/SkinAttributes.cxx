@@ -108,7 +108,7 @@ PassedArrays SkinAttributes::FindPassedArrays() const
     if (this->Arrays.Passed)
     {
       this->Messages.Say(
-        "no particles", "PassTargetArrays does nothing here: the target has no particles.");
+        "no particles", "PassTargetArrays has no effect here: the target has no particles.");
     }
     return passed;
   }

@@ -189,7 +189,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
   {
     this->Messages.Say(
-      "no particles in a box", "PeriodicBounds does nothing here: the target has no particles.");
+      "no particles in a box", "PeriodicBounds has no effect here: the target has no particles.");
   }
   this->WarnOfThinParts(shape, where);
 }

@@ -169,7 +169,8 @@ vtkDataArray* AsSamples(vtkAbstractArray* values, vtkDataSet* image)
   {
     const std::string name = values->GetName() ? values->GetName() : "";
     throw std::invalid_argument("The array \"" + name +
-      "\" cannot give an image's values: it has to hold one number for each point.");
+      "\" cannot be used as the image's values, which need one number for each point; choose "
+      "another array.");
   }
   return numbers;
 }

@@ -59,7 +59,7 @@ TEST(TestGridInput, InputOfNoUseIsOneError)
   {
     auto spoilt = MakeSmallImage(4, 4, 4);
     spoil(spoilt);
-    expect(spoilt, "no place in space");
+    expect(spoilt, "no position in space");
   };
   expectNoPlace([](vtkImageData* i) { i->SetSpacing(1.0, 0.0, 1.0); });
   expectNoPlace([](vtkImageData* i) { i->SetSpacing(1.0, 1.0, NaN); });

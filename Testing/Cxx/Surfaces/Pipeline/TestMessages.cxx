@@ -189,7 +189,7 @@ TEST(TestMessages, ImagesWithoutFittingValuesAreNoTarget)
   filter->SetInputData(image);
   Refuses(filter, "The image of input port 0 has no active point scalars");
   image->AllocateScalars(VTK_FLOAT, 3);
-  Refuses(filter, "cannot give an image's values: it has to hold one number for each point");
+  Refuses(filter, "cannot be used as the image's values, which need one number for each point");
 }
 
 TEST(TestMessages, LevelsAreNoTarget)
@@ -258,16 +258,16 @@ TEST(TestMessages, ArraysThatCannotBeAreErrors)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "half");
   Refuses(filter, "no point array as chosen by SetInputArrayToProcess(0");
   filter->SetInputArrayToProcess(0, 0, 0, points, "name");
-  Refuses(filter, "\"name\" cannot give the particles' radii");
+  Refuses(filter, "\"name\" cannot be used as the particles' radii");
   filter->SetInputArrayToProcess(0, 0, 0, points, "velocity");
-  Refuses(filter, "\"velocity\" cannot give the particles' radii");
+  Refuses(filter, "\"velocity\" cannot be used as the particles' radii");
   filter->SetInputArrayToProcess(0, 0, 0, points, "half");
   Works(filter, "with radii");
   filter->SetInputArrayToProcess(1, 0, 0, points, "half");
-  Refuses(filter, "\"half\" cannot give the particles' ids: they have to be integers");
+  Refuses(filter, "\"half\" cannot be used as the particles' ids, which have to be integers");
   filter->SetInputArrayToProcess(1, 0, 0, points, "");
   filter->SetInputArrayToProcess(2, 0, 0, points, "velocity");
-  Refuses(filter, "\"velocity\" cannot give the particles' strengths");
+  Refuses(filter, "\"velocity\" cannot be used as the particles' strengths");
 }
 
 TEST(TestMessages, OneParticleHasNoSpacing)

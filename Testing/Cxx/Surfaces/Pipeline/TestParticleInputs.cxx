@@ -235,7 +235,7 @@ TEST(TestParticleInputs, TablesWithoutPositionsAreErrors)
   text->SetName("z");
   text->SetNumberOfValues(3);
   table->AddColumn(text);
-  Refuses(table, "The column \"z\" of the table cannot give the particles' positions");
+  Refuses(table, "The column \"z\" of the table cannot be used for the particles' positions");
   table->RemoveColumnByName("z");
   table->GetRowData()->AddArray(MakeColumn("z", { 0.0 }));
   Refuses(table, "it has to hold a number in each row");

@@ -151,11 +151,12 @@ TEST(TestEquilibrium, TooFewSubstepsAreAWarning)
     filter->SetMaximumNumberOfSubsteps(substeps);
     MessageCapture messages(filter);
     filter->Update();
-    const std::string words = "not at rest after " + std::to_string(substeps) + " substeps";
+    const std::string words =
+      "not reached a steady state after " + std::to_string(substeps) + " substeps";
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, words), 1) << "warnings, " << words;
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, "RestTolerance is 0.001"), 1)
       << "its tolerance";
-    EXPECT_EQ(MessageCapture::Count(messages.Warnings, " % of it"), 0) << "no window has ended";
+    EXPECT_EQ(MessageCapture::Count(messages.Warnings, " % of "), 0) << "no window has ended";
     EXPECT_EQ(messages.CountAll(), 1u) << "messages";
     EXPECT_EQ(GetLastEvent(filter), "not at rest") << "event";
     EXPECT_EQ(GetNumber(filter, 1, "Substeps"), double(substeps)) << "substeps";
