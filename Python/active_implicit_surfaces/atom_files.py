@@ -55,12 +55,12 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
     width = max(first + size for _, _, first, size in columns)
     if len(rows) < count:
-        raise ValueError(f"it has fewer atoms than the {count} that line {place + 1} says")
+        raise ValueError(f"it has fewer atoms than the {count} of line {place + 1}")
     short = next((i for i, row in enumerate(rows) if len(row) < width), None)
     if short is not None:
         raise ValueError(
-            f"line {place + 3 + short} has {len(rows[short])} column(s) where an atom has {width}, "
-            f"or it has fewer atoms than the {count} that line {place + 1} says"
+            f"line {place + 3 + short} has {len(rows[short])} column(s), but an atom has {width}; "
+            f"or the file has fewer atoms than the {count} of line {place + 1}"
         )
     frame: Frame = {}
     for name, kind, first, size in columns:
@@ -302,7 +302,7 @@ def read_pdb(path: Path) -> Frames:
         elif line.startswith("CRYST1"):
             field = _cell_of(_numbers_in({place: line}, _CELL)[0])
     if not models[0]:
-        raise ValueError("it has no ATOM")
+        raise ValueError("it has no ATOM or HETATM")
     frames = [{**_read_pdb_frame(lines), FIELD: field} for lines in models if lines]
     add_elements(frames, are_names=True)
     return frames, None
@@ -347,5 +347,5 @@ def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> An
         try:
             table[row] = [float(line[start:end]) for start, end in columns]
         except ValueError as error:
-            raise ValueError(f"line {place} has no number where one is expected") from error
+            raise ValueError(f"line {place} has no number in a column that needs one") from error
     return table

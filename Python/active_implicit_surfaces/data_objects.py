@@ -121,8 +121,8 @@ def is_vtk(thing: Any) -> bool:
     if hasattr(thing, "IsA") and hasattr(thing, "GetClassName"):
         raise TypeError(
             f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
-            f"which is the package {vtk_build.PACKAGE}. PyVista takes the one that the environment "
-            "variable PYVISTA_VTK_BACKEND names (vtk or cvista) when it is imported."
+            f"the package {vtk_build.PACKAGE}. If PyVista made it, set the environment variable "
+            "PYVISTA_VTK_BACKEND (vtk or cvista) before PyVista is imported."
         )
     return False
 

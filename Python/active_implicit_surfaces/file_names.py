@@ -101,7 +101,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
     if len({natural_key(file, numbers)[0] for file in files}) == 1:  # else the user's own order
         files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
-        raise OSError("There are no files.")
+        raise OSError("No files are given; name files, a pattern or a folder.")
     note = f"{twice[0]} is named more than once; it is used as one frame." if twice else ""
     return Listing([(file,) for file in files], note=note or _describe_two_numbers(files, numbers))
 

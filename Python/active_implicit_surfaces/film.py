@@ -151,7 +151,7 @@ class _Ogg:
         try:
             from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
         except ImportError as error:
-            raise OSError(f"{path}: this VTK has no writer of .ogv films.") from error
+            raise OSError(f"{path}: this VTK cannot write .ogv; write .mp4 or pictures.") from error
         self.path, self.writer, self.started = path, vtkOggTheoraWriter(), False
         self.writer.SetFileName(str(temporary))
         self.writer.SetRate(max(1, round(fps)))

@@ -72,8 +72,8 @@ def warn_of_losses(suffix: str, data: Any) -> None:
         others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
         better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
         warn(
-            f"A {suffix} file cannot hold {', '.join(lost)}, left out here; write "
-            f"{' or '.join(better)} to keep all."
+            f"A {suffix} file cannot hold {', '.join(lost)}, so these are left out; write "
+            f"{' or '.join(better)} to keep all data."
         )
 
 

@@ -292,7 +292,7 @@ def _origin_of(renderer: Any) -> tuple[float, ...] | None:
 def _renderer_of(window: Any) -> Any:
     renderer = window.GetRenderers().GetFirstRenderer()
     if renderer is None:
-        raise ValueError("The window has no renderer.")
+        raise ValueError("The window has no renderer; add one (AddRenderer).")
     return renderer
 
 

@@ -123,8 +123,8 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         raise ValueError(f'its array "{found}" holds values that are not numbers')
     if positions.ndim not in (2, 3) or positions.shape[-1] != 3:
         raise ValueError(
-            f'its array "{found}" has the shape {positions.shape}, where positions are n rows (or '
-            "frames of n rows) of 3 numbers"
+            f'its array "{found}" has the shape {positions.shape}; positions need the shape (n, 3) '
+            "or (frames, n, 3)"
         )
     counts = arrays.get("counts")
     if counts is not None and positions.ndim == 2:
@@ -132,7 +132,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             return _cut(arrays, found, counts)
         if counts.shape != positions.shape[:1]:  # else an array of the particles
             raise ValueError(
-                f'its array "counts" adds up to {int(counts.sum())}, where "{found}" has '
+                f'its array "counts" adds up to {int(counts.sum())}, but "{found}" has '
                 f"{len(positions)} rows"
             )
     moving = positions if positions.ndim == 3 else positions[None]

@@ -246,7 +246,7 @@ class Series(unittest.TestCase):
             active.ParticleSeries(moving_grid(2), fps=0)
         with self.assertRaisesRegex(TypeError, "needs `times`"):
             active.frames(lambda time: grid())
-        with self.assertRaisesRegex(TypeError, "not for 'colors'"):
+        with self.assertRaisesRegex(TypeError, "not 'colors'"):
             active.frames(moving_grid(2), arrays={"colors": "c"})
         with self.assertRaisesRegex(ValueError, "give one"):
             active.frames(moving_grid(2), times=[0, 1], fps=10)
