@@ -120,7 +120,7 @@ def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
     first, second = (f"{column[0]} to {column[-1]}" for column in running)
     return (
         f"The names have two running numbers, {first} and {second}, and each file is a frame. If "
-        "one of them numbers the parts of a frame, list the files with part= in a .pvd."
+        "one number counts the parts of a frame, list the files with part= in a .pvd."
     )
 
 
@@ -202,8 +202,8 @@ def read_index(index: Path) -> Listing:
     parts = [tuple(_beside(index, name) for name in frame.values()) for frame in frames]
     note = left_out and (
         f"{index} lists {len(left_out)} file(s) for times that a later entry has too, as after a "
-        f"restart; the later entries are used, {left_out[0]} is left out. If these are parts of a "
-        "frame, number them with part=."
+        f"restart; the later entries are used, {left_out[0]} is left out. If the files are parts "
+        "of one frame, number the parts with part=."
     )
     return Listing(parts, times, note or "")
 

@@ -164,7 +164,7 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
             _note(
                 noted,
                 parts[0],
-                f"left out: {', '.join(lost)}; not all parts of its frame have such an array.",
+                f"left out: {', '.join(lost)}; not all parts of the frame have such an array.",
             )
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
             raise OSError(f"{parts[0]} and the other parts of its frame are images, not particles.")

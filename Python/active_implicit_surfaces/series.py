@@ -122,7 +122,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         minimum = max(minimum, least)
         if self._output_type == "vtkImageData":
             raise ValueError(
-                "minimum_piece needs particles, but the input is an image; leave it out."
+                "minimum_piece needs particles, not an image; leave minimum_piece out."
             )
         self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
         return minimum

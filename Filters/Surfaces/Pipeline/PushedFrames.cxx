@@ -89,8 +89,8 @@ double PushedFrames::FindNextTime(const SurfaceProperties& properties, double dt
   if (!std::isfinite(next) || next <= last)
   {
     std::ostringstream text;
-    text << "dt is " << dt << ", which added to " << last
-         << ", the time of the last frame, gives no later finite time; change dt.";
+    text << "dt is " << dt << "; added to the time " << last
+         << " of the last frame, it gives no later finite time. Change dt.";
     throw std::invalid_argument(text.str());
   }
   return next;

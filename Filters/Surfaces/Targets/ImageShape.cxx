@@ -156,7 +156,7 @@ std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
   std::ostringstream text;
   text << "Its values are from " << counts.Low << " to " << counts.High << ", and inside is "
        << (level.Invert ? "above " : "below ") << level.IsoValue
-       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above it. If "
+       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above. If "
        << "the values are labels, choose one label by vtkImageThreshold.";
   return text.str();
 }

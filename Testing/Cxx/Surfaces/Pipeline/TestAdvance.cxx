@@ -216,7 +216,7 @@ TEST(TestAdvance, WhatIsNoFrameIsRefused)
   }
   Refuses([](vtkActiveImplicitSurface* filter)
     { EXPECT_FALSE(filter->Advance(MakeFrame(2.0), 1e-20)); },
-    "dt is 1e-20, which added to 1, the time of the last frame, gives no later finite time");
+    "dt is 1e-20; added to the time 1 of the last frame, it gives no later finite time");
   Refuses([](vtkActiveImplicitSurface* filter) { EXPECT_FALSE(filter->Advance(nullptr, 1.0)); },
     "There is no frame to advance to");
   vtkNew<vtkMolecule> molecule;
