@@ -30,7 +30,7 @@ _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.g
 def check_usd(path: Path) -> None:
     """Raises OSError if such a film cannot be written here."""
     if has_number(path):
-        raise OSError(f"{path} holds all frames; remove the frame number from the name.")
+        raise OSError(f"{path} holds all frames in one file; remove the frame number.")
     try:
         import pxr.Usd  # noqa: F401
     except ImportError as error:
