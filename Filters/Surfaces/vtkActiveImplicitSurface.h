@@ -31,7 +31,7 @@
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
  *   the distance to the mesh, from a vtkGridPotential.
  * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (with InvertTarget,
- *   above), and within the image's box.
+ *   above), and within the image's box. A mask (two values) is smoothed within half a pixel.
  *
  * @par Input 1 (optional): start, the shape at the first time
  * - No input: InitialFunction, else the target, is the shape.
@@ -351,9 +351,9 @@ public:
    * / Attraction). If F / |grad F| is larger inside, smaller balls remain: over particles the
    * factor is about 2.4, not 2.83; over a vtkSphere, whose F is r^2 - R^2, the radius is sqrt(R^2 -
    * 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
-   * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r; 0 over other
-   * targets, with TensionWeighting off, SUM, PaperScheme, and where particles need explicit
-   * substeps (see TimeIntegration). Default: -1. */
+   * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r, Attraction * p^2 /
+   * 5 over masks of pixels p; else 0, as with TensionWeighting off over particles, SUM,
+   * PaperScheme, explicit substeps (see TimeIntegration). Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
@@ -375,8 +375,8 @@ public:
    * only if they move together: velocities within the error of their mean are ignored. Drops and
    * threads are not affected. The skin of a fluid in a steady state is therefore smooth, does not
    * move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to
-   * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r; 0 over other targets, with SUM,
-   * PaperScheme, and where particles need explicit substeps. Default: -1. */
+   * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, half a pixel over masks (bound of
+   * the smoothing); else 0, as with SUM, PaperScheme, explicit substeps. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -442,7 +442,7 @@ public:
 
   ///@{
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
-   * over particles one step for each time step, else EXPLICIT. That step carries the skin,
+   * over particles and masks one step for each time step, else EXPLICIT. It carries the skin,
    * evaluates the target once, at lattice nodes near the target's surface, and relaxes the skin
    * towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
    * EXPLICIT also with EQUILIBRIUM or PaperScheme, and, with a warning if they move, with:

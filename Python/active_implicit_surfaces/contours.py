@@ -98,12 +98,27 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
     """Returns the image itself, or level - values if inside is above the level."""
     if not above:
         return image
-    values = _with_point_values(image)[1]
-    level_set = image.NewInstance()
-    level_set.CopyStructure(_with_point_values(image)[0])
-    add_array(level_set, "distance", level - values.astype(float))
-    level_set.GetPointData().SetActiveScalars("distance")
-    return level_set
+    own, values = _with_point_values(image)
+    return _like(own, "distance", level - values.astype(float))
+
+
+def as_label(image: Any, level: float, above: bool) -> Any:
+    """Returns an image that is 1 inside and 0 outside."""
+    own, values = _with_point_values(image)
+    return _like(own, "label", (values > level if above else values < level).astype("u1"))
+
+
+def is_mask(images: list[Any]) -> bool:
+    """Returns true if the images have two different values in all."""
+    return len({value for one in images for value in numpy.unique(_with_point_values(one)[1])}) == 2
+
+
+def _like(image: Any, name: str, values: Any) -> Any:
+    other = image.NewInstance()
+    other.CopyStructure(image)
+    add_array(other, name, values)
+    other.GetPointData().SetActiveScalars(name)
+    return other
 
 
 def _at_border(image: Any, values: Any) -> Any:

@@ -26,7 +26,7 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .choice import choose, conditions, note_once, without_small_pieces
-from .contours import as_level_set, level_of_series
+from .contours import as_label, as_level_set, is_mask, level_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
@@ -128,13 +128,16 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return minimum
 
     def use_usual_level(self) -> None:
-        """Converts images to level sets, negative inside, by one rule for all images.
+        """Converts images by one rule for all: masks to labels, 1 inside; others to level sets,
+        negative inside.
 
         Raises ValueError if the images have several labels, or no values below 0.
         """
         if self._output_type == "vtkImageData":
-            level, above = level_of_series(self.frames_that_tell())
-            self._change(lambda image: as_level_set(image, level, above))
+            told = self.frames_that_tell()
+            level, above = level_of_series(told)
+            convert = as_label if is_mask(told) else as_level_set
+            self._change(lambda image: convert(image, level, above))
 
     def _change(self, change: Callable[[Any], Any]) -> None:
         load = self._load

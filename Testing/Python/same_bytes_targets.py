@@ -178,6 +178,16 @@ def image_moves(contents):
 
 
 @run("targets")
+def labels_move(contents):
+    def label(at):
+        return image(lambda x, y, z: 1.0 * ((x - at) ** 2 + y * y + z * z < 0.5))
+
+    steps = {0.5 * time: label(0.2 * time) for time in range(3)}
+    surface = make(Steps(steps), CreateParts=1, TimeIntegration=1, VoxelSize=0.12, Attraction=-1)
+    follow(contents, surface, 0.0, 0.25, 0.5, 1.0)
+
+
+@run("targets")
 def level_set_of_a_file(contents):
     with contents.file("ball.vdb", contents.vdb) as path:
         writer = vtkActiveVDBWriter()

@@ -16,6 +16,7 @@ MODULES = {
     "film_strip",
     "fluid_scenes",
     "fluid_solver",
+    "knot_label",
     "particle_series",
     "two_layers",
     "viewer_motion",

@@ -56,6 +56,17 @@ struct NodeMotion
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
+/** Freedom of the skin around a target whose surface is known only to its pixels: the skin stays
+ * where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth, is smoothed by tension,
+ * and is not attracted within. */
+struct NodeFreedom
+{
+  float HalfWidth = 0.f; //< 0: the skin is attracted everywhere
+  /** Least slope of the potential near the surface [1/voxel]; differences at thin parts are less.
+   */
+  float LeastSlope = 0.f;
+};
+
 class NodeTarget
 {
 public:
@@ -85,6 +96,8 @@ public:
 
   /** Largest distance from a wall at which a surface still rests on the wall [voxels]; 0: none. */
   virtual float GetWallGap() const = 0;
+
+  virtual NodeFreedom GetFreedom() const { return {}; }
 };
 
 }

@@ -35,6 +35,13 @@ inline double AutomaticTension(double attraction, double spacing)
   return factor * attraction * r * r;
 }
 
+/** Automatic tension over labels, whose skin is free within half a pixel (NodeFreedom): smooths
+ * over 1.2 pixels^2. pixel: the shortest side of a pixel. */
+inline double AutomaticTensionOfLabels(double attraction, double pixel)
+{
+  return 0.2 * attraction * pixel * pixel;
+}
+
 /** next += tension * kappa * |grad u|. kappa: sum of the principal curvatures [1/voxel]. u, next:
  * a row of eight nodes; X, Y: distances in memory of neighbours along x and y. */
 template <int X, int Y>

@@ -16,6 +16,10 @@ namespace
 /** Least number of stages: four decays by e^(-1.5) at the usual attraction a = 6. */
 constexpr int FewestStages = 4;
 
+/** Most stages without attraction whose tension is all by differences over 2 nodes, which are more
+ * accurate on thin parts than wider differences. */
+constexpr int FineStages = 64;
+
 /** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
  * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Differences over 8 nodes do
  * not damp waves of 8 nodes: stages are unstable if these differences apply more than half of the
@@ -40,30 +44,43 @@ constexpr float Imbalance = .25f, SlowestShare = .008f;
  * on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
+/** |grad G| of row (x, y) by central differences [1/voxel]. */
+ACTIVE_ALWAYS_INLINE Lanes SlopeOf(const float* c)
+{
+  constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
+  const Lanes gx = LoadLanes(c + X) - LoadLanes(c - X);
+  const Lanes gy = LoadLanes(c + Y) - LoadLanes(c - Y);
+  const Lanes gz = LoadLanes(c + 1) - LoadLanes(c - 1);
+  return AllLanes(.5f) * Root(gx * gx + gy * gy + gz * gz);
+}
+
+/** Distances, and the slack if Slack is not null. */
 struct DistanceKernel
 {
   const NodeLeaves& Leaves;
   const NodeArrays& Potential;
+  const NodeFreedom& Freedom;
   NodeArrays& Psi;
+  NodeArrays* Slack;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     const NodeLeaf& leaf = this->Leaves[i];
     NodeBlock<1> block;
     block.Gather(this->Potential, leaf, 1.f);
-    constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
     for (int row = 0; row < 64; ++row)
     {
       const float* c = block.Row(row >> 3, row & 7);
       const Lanes value = LoadLanes(c);
-      const Lanes gx = LoadLanes(c + X) - LoadLanes(c - X);
-      const Lanes gy = LoadLanes(c + Y) - LoadLanes(c - Y);
-      const Lanes gz = LoadLanes(c + 1) - LoadLanes(c - 1);
-      const Lanes slope = AllLanes(.5f) * Root(gx * gx + gy * gy + gz * gz);
+      const Lanes slope = Largest(SlopeOf(c), AllLanes(this->Freedom.LeastSlope));
       const LaneMask isNear = Size(value) < slope * AllLanes(NodeLimit);
       const Lanes side = value < AllLanes(0.f) ? AllLanes(-NodeLimit) : AllLanes(NodeLimit);
       StoreLanes(
         this->Psi.Of(i) + 8 * row, Pick(isNear, value / Pick(isNear, slope, AllLanes(1.f)), side));
+      if (this->Slack)
+      {
+        StoreLanes(this->Slack->Of(i) + 8 * row, AllLanes(this->Freedom.HalfWidth) / slope);
+      }
     }
   }
 };
@@ -75,6 +92,7 @@ struct StageKernel
   const NodeFields& Fields;
   const StageCoefficients& Law;
   int Count;
+  float Shift; // added to the potential, within the slack
 
   /** The first loop finds the tension of all rows. The second loop is a chain of divisions. The
    * short iterations of the second loop let the processor overlap several rows. */
@@ -107,10 +125,15 @@ struct StageKernel
     for (std::uint64_t rows = moving; rows != 0; rows &= rows - 1)
     {
       const int at = 8 * LowestBit(rows);
-      StoreLanes(next + at,
-        Clamp(this->Advance(LoadLanes(before + at), LoadLanes(psi + at), LoadLanes(bulks + at),
-                LoadLanes(pulls + at)),
-          NodeLimit));
+      const Lanes target = LoadLanes(psi + at);
+      Lanes moved =
+        this->Advance(LoadLanes(before + at), target, LoadLanes(bulks + at), LoadLanes(pulls + at));
+      if (this->Fields.Slack)
+      {
+        const Lanes slack = LoadLanes(this->Fields.Slack->Of(i) + at);
+        moved = Least(Largest(moved + AllLanes(this->Shift), target - slack), target + slack);
+      }
+      StoreLanes(next + at, Clamp(moved, NodeLimit));
     }
   }
 
@@ -208,10 +231,61 @@ private:
   }
 };
 
-template <int W>
-void RunStage(const NodeFields& fields, const StageCoefficients& law, int count)
+/** Volume and area of the skin [voxels^3, voxels^2], from the nodes within half a voxel of it. */
+struct SkinEstimate
 {
-  fields.Leaves.RunKernel(StageKernel<W>{ fields, law, count });
+  double Volume = 0.0, Area = 0.0;
+};
+
+SkinEstimate EstimateSkin(const NodeFields& fields)
+{
+  std::vector<SkinEstimate> parts(fields.Leaves.Size());
+  fields.Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const float* values = fields.Potential.Of(i);
+      for (int node = 0; node < 512; ++node)
+      {
+        const float inside = .5f - values[node];
+        parts[i].Volume += static_cast<double>(std::min(std::max(inside, 0.f), 1.f));
+        parts[i].Area += inside > 0.f && inside < 1.f ? 1.0 : 0.0;
+      }
+    });
+  SkinEstimate sum;
+  for (const SkinEstimate& part : parts) // in this order, for the same bytes
+  {
+    sum.Volume += part.Volume;
+    sum.Area += part.Area;
+  }
+  return sum;
+}
+
+/** Keeps the volume of a skin with NodeFreedom from stage to stage. Otherwise tension would press
+ * the skin against the inner side of its freedom, whose steps would then show. */
+class VolumeKeeper
+{
+public:
+  explicit VolumeKeeper(const NodeFields& fields)
+    : Fields(fields)
+    , AtStart(fields.Slack ? EstimateSkin(fields).Volume : 0.0)
+  {
+  }
+  /** Returns the shift of the potential that restores the volume, to first order. */
+  float FindShift() const
+  {
+    const SkinEstimate now = this->Fields.Slack ? EstimateSkin(this->Fields) : SkinEstimate();
+    return now.Area > 0.0 ? static_cast<float>((now.Volume - this->AtStart) / now.Area) : 0.f;
+  }
+
+private:
+  const NodeFields& Fields;
+  const double AtStart;
+};
+
+template <int W>
+void RunStage(const NodeFields& fields, const StageCoefficients& law, int count, float shift)
+{
+  fields.Leaves.RunKernel(StageKernel<W>{ fields, law, count, shift });
   std::swap(fields.Potential, fields.Room);
 }
 
@@ -234,29 +308,39 @@ float FindFollowedShare(const StageCoefficients& law, float miss, float bulk)
   return 1.f - (decayed * decayed) * (decayed * decayed);
 }
 
-void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi)
+void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
+  const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack)
 {
+  const bool isFree = freedom.HalfWidth > 0.f;
   psi.MakeRoom(leaves.Size());
-  leaves.RunKernel(DistanceKernel{ leaves, potential, psi });
+  slack.MakeRoom(isFree ? leaves.Size() : 0);
+  leaves.RunKernel(DistanceKernel{ leaves, potential, freedom, psi, isFree ? &slack : nullptr });
 }
 
 int CountStages(const StageCoefficients& law)
 {
+  if (law.Decay == 0.f && law.Tension <= TensionOfStage * FineStages)
+  {
+    return std::max(1, static_cast<int>(std::ceil(law.Tension / TensionOfStage)));
+  }
   constexpr float most = 1e6f;
   const float wanted = std::min(std::ceil(law.Tension / TensionOfStages), most);
-  return std::max(FewestStages, static_cast<int>(wanted));
+  const int fewest = law.Decay == 0.f ? FineStages : FewestStages;
+  return std::max(fewest, static_cast<int>(wanted));
 }
 
 void RunStages(const NodeFields& fields, const StageCoefficients& law)
 {
   const int count = CountStages(law);
   const float borne = TensionOfStage * static_cast<float>(count);
+  const VolumeKeeper keeper(fields);
   for (int stage = 0; stage < count; ++stage)
   {
     fields.Halo.Refresh(fields.Potential);
-    law.Tension <= borne         ? RunStage<1>(fields, law, count)
-      : law.Tension <= 5 * borne ? RunStage<2>(fields, law, count)
-                                 : RunStage<4>(fields, law, count);
+    const float shift = keeper.FindShift();
+    law.Tension <= borne         ? RunStage<1>(fields, law, count, shift)
+      : law.Tension <= 5 * borne ? RunStage<2>(fields, law, count, shift)
+                                 : RunStage<4>(fields, law, count, shift);
   }
 }
 

@@ -9,6 +9,9 @@
  * curvatures. s is small in a body of particles where |psi - w| is within the noise of the body's
  * surface, otherwise 1. At a fixed point attraction and tension balance, exactly as in the equation
  * of motion.
+ *
+ * Around a target with NodeFreedom there is only tension, and w stays within psi +- slack. Slack is
+ * the half-width of the freedom [voxels].
  */
 #ifndef NodeStages_h
 #define NodeStages_h
@@ -24,7 +27,7 @@ namespace activesurface
 
 struct StageCoefficients
 {
-  float Decay = 0.f;       //< a, > 0
+  float Decay = 0.f;       //< a; 0 with NodeFreedom
   float Tension = 0.f;     //< b, >= 0
   float Noise = 0.f;       //< of the target's surface [voxels]; 0: none
   bool IsWeighted = false; //< if bulks weigh the tension; otherwise g = 1
@@ -42,11 +45,14 @@ struct NodeFields
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
   const NodeHalo& Halo;
+  const NodeArrays* Slack; //< null: none
 };
 
-/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit. G is `potential`, which
- * is 1 far from the target. psi is at the limit outside the rows of the shell. */
-void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi);
+/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit; with a freedom, also the
+ * slack = HalfWidth / |grad G|. |grad G| is at least LeastSlope. G is `potential`, which is 1 far
+ * from the target. psi is at the limit outside the rows of the shell. */
+void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
+  const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 
 /** Returns the number of stages for which the tension is stable. */
 int CountStages(const StageCoefficients& coefficients);

@@ -20,6 +20,9 @@ namespace
  * RestingChange * Attraction dt [voxels] in layers 0 and 1. */
 constexpr float RestingChange = 3e-4f;
 
+/** Attraction * duration for which tension acts on a skin with NodeFreedom. */
+constexpr double FactorsOfFreeSkin = 6.0;
+
 /** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in
  * parallel if isThreadSafe. */
 template <class Function>
@@ -53,18 +56,14 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   this->FindLeaves(frame, motion, target);
   this->Evaluate(target);
   this->Halo.Refresh(this->Room);
-  FindDistances(this->Leaves, this->Room, this->Psi);
+  this->Freedom = target.GetFreedom();
+  FindDistances(this->Leaves, this->Room, this->Freedom, this->Psi, this->Slack);
   this->Confine(this->Psi, frame, motion);
   this->FetchOld(frame, target);
   this->Carry(frame, target);
-  StageCoefficients law;
-  law.Decay = static_cast<float>(motion.Attraction * frame.Duration);
-  law.Tension =
-    static_cast<float>(motion.Tension * frame.Duration / (frame.VoxelSize * frame.VoxelSize));
-  law.Noise = target.GetNoise();
-  law.IsWeighted = motion.WeightedTension;
-  RunStages(
-    { this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room, this->Halo },
+  const StageCoefficients law = this->FindLaw(frame, motion, target);
+  RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room,
+              this->Halo, this->IsFree() ? &this->Slack : nullptr },
     law);
   this->RestOnWalls(frame, motion, target.GetWallGap());
   this->Confine(this->Potential, frame, motion);
@@ -72,6 +71,19 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   this->Repeat(frame, motion, target);
   this->Halo.Refresh(this->Potential);
   return this->MakeTree(frame, motion);
+}
+
+StageCoefficients NodeStep::FindLaw(
+  const NodeFrame& frame, const Motion& motion, const NodeTarget& target) const
+{
+  // A free skin begins each frame at the target, so its tension does not depend on the duration.
+  const double duration = this->IsFree() ? FactorsOfFreeSkin / motion.Attraction : frame.Duration;
+  StageCoefficients law;
+  law.Decay = this->IsFree() ? 0.f : static_cast<float>(motion.Attraction * duration);
+  law.Tension = static_cast<float>(motion.Tension * duration / (frame.VoxelSize * frame.VoxelSize));
+  law.Noise = target.GetNoise();
+  law.IsWeighted = motion.WeightedTension;
+  return law;
 }
 
 std::size_t NodeStep::CountEvaluations() const
@@ -133,7 +145,7 @@ void NodeStep::Evaluate(const NodeTarget& target)
 
 void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
 {
-  const bool isStart = !(frame.End > frame.Begin);
+  const bool isStart = !(frame.End > frame.Begin) || this->IsFree();
   this->Leaves.ForEach(
     [&](std::size_t i)
     {

@@ -52,6 +52,9 @@ private:
     float (&depths)[512]) const;
   bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;
   void Evaluate(const NodeTarget& target);
+  bool IsFree() const { return this->Freedom.HalfWidth > 0.f; }
+  StageCoefficients FindLaw(
+    const NodeFrame& frame, const Motion& motion, const NodeTarget& target) const;
   static bool IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion);
   void RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap);
   void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
@@ -66,7 +69,8 @@ private:
   Shell Near;
   NodeHalo Halo;
   NodeLeaves Leaves;
-  NodeArrays Potential, Room, Psi;
+  NodeArrays Potential, Room, Psi, Slack;
+  NodeFreedom Freedom; //< of the current frame
   std::vector<LeafBulk> Bulk;
   std::vector<LeafMotion> Motions; //< of each leaf, if other ranks own some old leaves
   std::vector<char> IsStill;       //< leaves in which the target has not moved

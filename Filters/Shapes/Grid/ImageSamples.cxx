@@ -102,6 +102,7 @@ bool AreOrthogonal(const double axis[3][3])
 ImageSamples::ImageSamples(vtkImageData* image, const ImageLevel& level)
   : IsoValue(level.IsoValue)
   , Sign(level.InvertInside ? -1.0 : 1.0)
+  , Beyond(level.Beyond)
 {
   if (!std::isfinite(level.IsoValue))
   {
@@ -181,7 +182,16 @@ double ImageSamples::Evaluate(const double x[3], double* gradient) const
     isOutside = isOutside || std::fabs(excess[axis]) > this->Slack;
     place[axis] = nearest;
   }
-  return isOutside ? this->DistanceToBox(excess, gradient) : this->Interpolate(place, gradient);
+  if (!isOutside)
+  {
+    return this->Interpolate(place, gradient);
+  }
+  if (this->Beyond < 0.0)
+  {
+    return this->DistanceToBox(excess, gradient);
+  }
+  std::fill_n(gradient, gradient ? 3 : 0, 0.0);
+  return this->Beyond;
 }
 
 // excess: offset from the nearest point of the box [pixels].

@@ -22,6 +22,7 @@ struct ImageLevel
   std::string ArrayName; // empty: the active scalars, otherwise the first array of one component
   double IsoValue = 0.0;
   bool InvertInside = false;
+  double Beyond = -1.0; // value outside the image's box; negative: the distance to the box
 };
 
 // Mask of 8 x 8 x 8 pixels.
@@ -53,6 +54,7 @@ private:
   vtkSmartPointer<vtkDataArray> Pixels;
   double IsoValue;
   double Sign; // factor of the samples: -1 exchanges the sides
+  double Beyond;
   int Extent[6];
   double Origin[3];
   double Axis[3][3];    // from a pixel to the next along each axis [length]

@@ -110,7 +110,7 @@ bool MotionDriver::Start(
 bool MotionDriver::StartsOnNodes() const
 {
   return this->Settings.UsesNodes() && !this->Settings.StartsElsewhere() &&
-    this->Shapes.HasParticles(0, 0);
+    this->Shapes.IsOnNodes(0, 0);
 }
 
 // Returns true if the target is static particles: the skin then stays as it started.
@@ -119,18 +119,37 @@ bool MotionDriver::StaysOnNodes() const
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
+// Returns a given Tension over the attraction of the first time step. The attraction may be unknown
+// yet; the result is then 0.
+double MotionDriver::FindTensionAtStart(const Motion& motion) const
+{
+  if (!this->Settings.HasAutomaticAttraction())
+  {
+    return motion.Attraction > 0.0 ? motion.Tension / motion.Attraction : 0.0;
+  }
+  if (this->Shapes.HasParticles(0, 0))
+  {
+    return 0.0;
+  }
+  const bool moves = this->Settings.Inputs.TargetMoves;
+  const double length =
+    moves && this->Settings.GetNumberOfSteps() > 1 ? this->Settings.GetMotionTimeOf(1).Value : 0.0;
+  return motion.Tension * (moves ? length / FactorsPerStep : 1.0);
+}
+
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
 // as later frames. The duration of this step may be unknown yet. An automatic tension is
 // proportional to the attraction, so its effect does not depend on the duration. The effect of a
 // given Tension under automatic attraction depends on the duration, so this Tension is ignored
-// here.
+// here over particles.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
-  const double given = motion.Attraction > 0.0 ? motion.Tension / motion.Attraction : 0.0;
+  const double given = this->FindTensionAtStart(motion);
   motion.Attraction = FactorsPerStep; // per unit of time; the duration below is 1
-  motion.Tension = this->Settings.HasAutomaticAttraction() ? 0.0 : given * FactorsPerStep;
-  this->UseNodes(FactorsPerStep, motion);
+  motion.Tension = given * FactorsPerStep;
+  this->UseNodes(0, FactorsPerStep, motion);
+  this->HoldLabelVolume(0, 0.0, motion);
   band.StartOnNodes(0.0, domain.Bounds, motion, 1.0, this->Shapes.GetTarget());
   band.RestoreTargets(motion);
   if (band.IsEmpty())
@@ -174,7 +193,7 @@ Walls MotionDriver::MakeWalls(double beyond) const
   return walls;
 }
 
-Motion MotionDriver::GetMotion(int step, bool hasParticles) const
+Motion MotionDriver::GetMotion(int step, bool isOnNodes) const
 {
   Motion motion = this->Settings.GetLaw();
   const SurfaceDomain* domain = this->Shapes.FindDomain();
@@ -200,25 +219,44 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
     {
       motion.Attraction = FactorsPerStep / length;
     }
-    if (hasParticles && this->Settings.UsesNodes() &&
-      motion.Attraction * length >= SurfaceSettings::FewestFactorsOfNodes)
+    if (isOnNodes && motion.Attraction * length >= SurfaceSettings::FewestFactorsOfNodes)
     {
-      this->UseNodes(motion.Attraction, motion);
+      this->UseNodes(step, motion.Attraction, motion);
     }
   }
   return motion;
 }
 
 // attraction: rate to which an automatic tension is proportional.
-void MotionDriver::UseNodes(double attraction, Motion& motion) const
+void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
 {
   const Motion& law = this->Settings.Law;
+  const double pixel = this->Shapes.FindLabelPixel(step, step + 1);
   motion.Integration = TimeIntegration::Nodes;
+  if (pixel > 0.0)
+  {
+    motion.Tension = this->Settings.Tension == Automatic
+      ? AutomaticTensionOfLabels(attraction, pixel)
+      : motion.Tension;
+    return;
+  }
   motion.WeightedTension = law.WeightedTension;
   motion.Transport = law.Transport;
   if (this->Settings.HasAutomaticTension())
   {
     motion.Tension = AutomaticTension(attraction, this->Shapes.FindSpacing());
+  }
+}
+
+// Conserves the labels' volume, unless another control is set, or walls or an obstacle cut labels.
+void MotionDriver::HoldLabelVolume(int step, double fraction, Motion& motion) const
+{
+  const double volume = this->Shapes.FindLabelVolume(step, fraction);
+  if (motion.Integration == TimeIntegration::Nodes && volume > 0.0 && !motion.Box.Present &&
+    !motion.Solid && motion.VolumeControl == Control::None && motion.AreaControl == Control::None)
+  {
+    motion.VolumeControl = Control::Exact;
+    motion.TargetVolume = volume;
   }
 }
 
@@ -263,7 +301,11 @@ bool MotionDriver::AdvanceTo(
   NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress)
 {
   this->PlaceTargetFrom(step);
-  const Motion motion = this->GetMotion(step);
+  Motion motion = this->GetMotion(step);
+  if (const MovingTarget* moving = this->Shapes.GetMovingTarget())
+  {
+    this->HoldLabelVolume(step, moving->FindFraction(time.Value), motion);
+  }
   const bool wasEmpty = band.IsEmpty();
   if (wasEmpty && !this->MayCreateParts(motion))
   {

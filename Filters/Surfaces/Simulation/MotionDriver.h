@@ -49,11 +49,11 @@ public:
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
   // Returns the parameters of the motion from a step to the next one; step -1: the motion at the
-  // start. hasParticles: a frame at one end of this interval has particles.
-  Motion GetMotion(int step, bool hasParticles) const;
+  // start. isOnNodes: the node scheme can follow the target in this interval.
+  Motion GetMotion(int step, bool isOnNodes) const;
   Motion GetMotion(int step) const
   {
-    return this->GetMotion(step, this->Shapes.HasParticles(step, step + 1));
+    return this->GetMotion(step, this->Shapes.IsOnNodes(step, step + 1));
   }
 
   // Returns the walls of the bounded domain. On periodic axes the walls are outside the box, at the
@@ -68,7 +68,9 @@ public:
 private:
   void Prepare(NarrowBand& band) const;
   Obstacle* FindObstacle() const;
-  void UseNodes(double attraction, Motion& motion) const;
+  double FindTensionAtStart(const Motion& motion) const;
+  void UseNodes(int step, double attraction, Motion& motion) const;
+  void HoldLabelVolume(int step, double fraction, Motion& motion) const;
   void WarnOfSubsteps(int step, const Motion& motion);
   bool StartsOnNodes() const;
   bool StaysOnNodes() const;

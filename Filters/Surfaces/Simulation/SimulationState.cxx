@@ -134,7 +134,7 @@ Motion SurfaceSimulation::GetMotion() const
 {
   const ArrayFrames frames = this->FindArrayFrames();
   return this->Driver.GetMotion(
-    this->Path.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
+    this->Path.GetStep(), this->Shapes.IsOnNodes(frames.First, frames.Last));
 }
 
 std::size_t SurfaceSimulation::CountRows() const

@@ -33,7 +33,7 @@ bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arr
 bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target)
 {
   return arrays.TangentialVelocity || (arrays.FastestParticle && target.MayHaveParticles()) ||
-    (arrays.Speeds && target.MayCarry());
+    (arrays.Speeds && (target.MayCarry() || target.MayHaveLabels()));
 }
 
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
@@ -75,7 +75,7 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   }
   const bool moves = this->Settings.Inputs.TargetMoves;
   int step = moves ? this->Time.Step : 0;
-  if (this->Shapes.MayCarry())
+  if (this->Shapes.MayCarry() || this->Shapes.MayHaveLabels())
   {
     // Uses the interval of the other arrays, independent of the stored frames.
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;

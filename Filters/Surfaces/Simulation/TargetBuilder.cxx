@@ -1,6 +1,8 @@
 #include "Simulation/TargetBuilder.h"
 
+#include "Grid/LabelSamples.h"
 #include "Targets/ImplicitTarget.h"
+#include "Targets/LabelTarget.h"
 #include "Targets/NoShape.h"
 #include "Targets/ParticleShape.h"
 #include "Targets/ParticleTarget.h"
@@ -109,6 +111,43 @@ TargetBuilder::KindPointer TargetBuilder::FindKind(int first, int last) const
   return none;
 }
 
+double TargetBuilder::FindLabelPixel(int first, int last) const
+{
+  const bool moves = this->Settings.Inputs.TargetMoves;
+  double least = HUGE_VAL;
+  bool hasLabel = false;
+  for (int step = moves ? first : 0; step <= (moves ? last : 0); ++step)
+  {
+    const InputShape* shape = this->Frames.Find(step);
+    const LabelFacts* label = shape ? shape->GetLabel() : nullptr;
+    if (shape && shape->HasPoints() && !label)
+    {
+      return 0.0;
+    }
+    hasLabel = hasLabel || (label && label->Volume > 0.0);
+    least = label ? std::min(least, label->LeastPixel) : least;
+  }
+  return hasLabel ? least : 0.0;
+}
+
+double TargetBuilder::FindLabelVolume(int step, double fraction) const
+{
+  const auto volumeOf = [this](int at)
+  {
+    const InputShape* shape = this->Frames.Find(at);
+    const LabelFacts* label = shape ? shape->GetLabel() : nullptr;
+    return label ? label->Volume : 0.0;
+  };
+  return fraction > 0.0 ? (1.0 - fraction) * volumeOf(step) + fraction * volumeOf(step + 1)
+                        : volumeOf(step);
+}
+
+bool TargetBuilder::IsOnNodes(int first, int last) const
+{
+  return this->Settings.UsesNodes() &&
+    (this->HasParticles(first, last) || this->FindLabelPixel(first, last) > 0.0);
+}
+
 void TargetBuilder::CheckKind(int step, const InputShape& shape) const
 {
   if (shape.HasPoints() && this->Kind->HasPoints() && !this->Kind->IsOfKindOf(shape))
@@ -145,6 +184,9 @@ TargetOptions TargetBuilder::GetOptions() const
   options.MeshThickness = settings.MeshThickness;
   options.MeshVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
   options.IsOnNodes = settings.UsesNodes();
+  options.SmoothsLabels = settings.UsesNodes() && settings.Noise != 0.0 &&
+    (settings.Inputs.TargetMoves || !settings.StartsElsewhere());
+  options.LabelNoise = settings.Noise;
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
   options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
     (settings.Tension > 0.0 || settings.HasAutomaticTension());
@@ -209,6 +251,7 @@ void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& 
 void TargetBuilder::PrepareInitial()
 {
   TargetOptions options = this->GetOptions();
+  options.SmoothsLabels = false;
   options.MeshReach = InitialReach * this->Domain.VoxelSize;
   options.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
@@ -267,6 +310,11 @@ ValuesInUse TargetBuilder::FindValuesInUse(const Motion& motion) const
   values.Tension = motion.Tension;
   const bool isOnNodes = this->Settings.UsesNodes() && this->MayHaveParticles();
   values.TargetNoise = isOnNodes ? this->GetNoiseAtNodes() : std::max(this->Settings.Noise, 0.0);
+  const int step = this->Frames.FindLastStep();
+  if (const double pixel = this->FindLabelPixel(step, step); pixel > 0.0)
+  {
+    values.TargetNoise = pixel * LabelTarget::FindFreedom(this->GetOptions(), pixel);
+  }
   return values;
 }
 

@@ -75,6 +75,16 @@ public:
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
   }
+  // Returns true if the node scheme can follow the target in these stored frames: all are
+  // particles, or images of labels with a label in one of them.
+  bool IsOnNodes(int first, int last) const;
+  // Returns true if the last image of the input was smoothed as a label.
+  bool MayHaveLabels() const { return this->Kind->GetLabel() != nullptr; }
+  // Returns the shortest side of the labels' pixels in these frames; 0 if they are no labels.
+  double FindLabelPixel(int first, int last) const;
+  // Returns the labels' volume at a fraction of the interval from a step to the next one; 0 if
+  // they are no labels.
+  double FindLabelVolume(int step, double fraction) const;
   // Returns true if the input has particles, or has had no points yet.
   bool MayHaveParticles() const
   {

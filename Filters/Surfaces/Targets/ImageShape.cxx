@@ -2,6 +2,7 @@
 
 #include "Input/AttachedData.h"
 #include "Targets/GridFunction.h"
+#include "Targets/LabelTarget.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/TargetOptions.h"
 #include "Targets/Warnings.h"
@@ -33,6 +34,7 @@ struct ImageLevel
 {
   double IsoValue;
   bool Invert; //< inside is above the level
+  bool IsOfMask = false;
 };
 
 /**
@@ -118,7 +120,7 @@ ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given)
     Run(values, isMask);
     if (isMask.Result)
     {
-      return { 0.5 * counts.Low + 0.5 * counts.High, true };
+      return { 0.5 * counts.Low + 0.5 * counts.High, true, true };
     }
   }
   const bool areFractions =
@@ -206,29 +208,62 @@ ImageShape::ImageShape(const InputData& input)
 {
 }
 
+// Makes the function of a mask that is smoothed as a label. Returns false for other images, and for
+// an image without the label: all values equal, not negative.
+bool ImageShape::PrepareLabel(vtkDataArray* values, const TargetOptions& options)
+{
+  if (!options.SmoothsLabels || options.IsoValue != 0.0 || options.Invert)
+  {
+    return false;
+  }
+  ValueCounts counts;
+  Run(values, counts);
+  const bool isBlank = counts.Low == counts.High && counts.Low >= 0.0;
+  const ImageLevel level = FindUsualLevel(values, { counts.High, false });
+  if (!isBlank && !level.IsOfMask)
+  {
+    return false;
+  }
+  const auto samples =
+    MakeLabelSamples(vtkImageData::SafeDownCast(this->Data), level.IsoValue, this->Label);
+  this->IsLabel = true;
+  if (!samples)
+  {
+    return false;
+  }
+  vtkNew<vtkGridPotential> grid;
+  grid->SetSamples(samples);
+  this->Function = grid;
+  return true;
+}
+
 std::string ImageShape::Prepare(const TargetOptions& options, const Warnings& messages)
 {
-  if (!this->Function && options.IsDomainKnown)
+  if (this->Function || !options.IsDomainKnown)
   {
-    vtkNew<vtkGridPotential> grid;
-    ImageLevel level{ options.IsoValue, options.Invert };
-    vtkDataArray* values = this->Data->GetPointData()->GetScalars();
-    if (level.IsoValue == 0.0 && values)
-    {
-      level = FindUsualLevel(values, level);
-    }
-    grid->SetIsoValue(level.IsoValue);
-    grid->SetInvertInside(level.Invert);
-    ReadGrid(grid, this->Data);
-    this->Function = grid;
-    const std::string flaw = values ? DescribeNotFinite(values) : "";
-    if (!flaw.empty())
-    {
-      messages.Say("values not finite", "The image " + options.When + ": " + flaw);
-    }
-    return values ? DescribeLevel(values, level) : "";
+    return "";
   }
-  return "";
+  vtkDataArray* values = this->Data->GetPointData()->GetScalars();
+  const std::string flaw = values ? DescribeNotFinite(values) : "";
+  if (!flaw.empty())
+  {
+    messages.Say("values not finite", "The image " + options.When + ": " + flaw);
+  }
+  ImageLevel level{ options.IsoValue, options.Invert };
+  if (values && this->PrepareLabel(values, options))
+  {
+    return "";
+  }
+  if (level.IsoValue == 0.0 && values)
+  {
+    level = FindUsualLevel(values, level);
+  }
+  vtkNew<vtkGridPotential> grid;
+  grid->SetIsoValue(level.IsoValue);
+  grid->SetInvertInside(level.Invert);
+  ReadGrid(grid, this->Data);
+  this->Function = grid;
+  return values ? DescribeLevel(values, level) : "";
 }
 
 std::string ImageShape::DescribeThinParts(const TargetOptions& options) const
@@ -264,6 +299,10 @@ std::unique_ptr<MovingTarget> ImageShape::MakeTarget(
   TargetOptions level = options;
   level.IsoValue = 0.0; // already applied by the function
   level.Invert = false;
+  if (options.SmoothsLabels)
+  {
+    return std::make_unique<LabelTarget>(frames, level.Reach, true, level);
+  }
   return MakeBlend(frames, level.Reach, level);
 }
 

@@ -2,8 +2,11 @@
 #ifndef ImageShape_h
 #define ImageShape_h
 
+#include "Grid/LabelSamples.h"
 #include "Targets/FunctionShape.h"
 #include "Targets/InputData.h"
+
+class vtkDataArray;
 
 namespace activesurface
 {
@@ -28,8 +31,15 @@ public:
   void AddBounds(
     const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   double GetPixel() const override;
+  const LabelFacts* GetLabel() const override { return this->IsLabel ? &this->Label : nullptr; }
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const TargetOptions& options) const override;
+
+private:
+  bool PrepareLabel(vtkDataArray* values, const TargetOptions& options);
+
+  bool IsLabel = false;
+  LabelFacts Label;
 };
 
 }

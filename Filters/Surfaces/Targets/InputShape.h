@@ -20,6 +20,7 @@ class MovingTarget;
 class TargetFrames;
 class Warnings;
 struct InputData;
+struct LabelFacts;
 struct OwnedPart;
 struct ParticleArrays;
 struct ParticleFrame;
@@ -96,6 +97,8 @@ public:
   /** Null for a kind without an implicit function, and before Prepare has made it. */
   virtual vtkImplicitFunction* GetFunction() const { return nullptr; }
 
+  /** Null unless it is an image that is smoothed as a label; valid after Prepare. */
+  virtual const LabelFacts* GetLabel() const { return nullptr; }
   /** Null unless the kind is particles. */
   virtual const ParticleFrame* GetParticles() const { return nullptr; }
 

@@ -22,6 +22,8 @@ public:
   void Complete();
 
   void MoveTo(double time) override;
+  // Returns the fraction of the interval at a time.
+  double FindFraction(double time) const;
   bool MayHaveChanged(const double[6]) const override { return this->HasChanged; }
 
 protected:
@@ -34,9 +36,8 @@ protected:
   // Completes Place for evaluations. Called at most once after each Place.
   virtual void Finish() {}
 
-  // Step at which the current motion begins, and the fraction of the interval at a time.
+  // Step at which the current motion begins.
   int GetFirstStep() const { return this->FirstStep; }
-  double FindFraction(double time) const;
 
   // Duration from the step to the next one [motion time]; 0 if the target stays.
   double GetDuration() const { return this->End - this->Begin; }

@@ -33,6 +33,8 @@ struct TargetOptions
   double NoiseAtNodes = 0.0;  //< replaces Noise in the node scheme [length]
   bool IsDomainKnown = false; //< otherwise VoxelSize and Reach are undefined
   double VoxelSize = 0.0;     //< [length]
+  bool SmoothsLabels = false; //< images of labels are a target of the node scheme
+  double LabelNoise = -1.0;   //< freedom of the skin around a label [length]; < 0: half a pixel
 
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are always sums
   double Spacing = 0.0; //< of the particles, given or estimated [length]; 0: unknown

@@ -128,9 +128,9 @@ def rows_of(own: properties.Property) -> list[str]:
         "Particles": "particles",
     }
     told = {
-        "(Of no use to|over) other targets": "particles",
+        "(No effect on|over) other targets": "particles",
         "PaperScheme": "paper_scheme=off",
-        "published where the input has": "pipeline",
+        "if the input has at most one": "pipeline",
     }
     effect = own.comment.split(", automatic:")[0]  # without the rule of a value that is found
     found = [row for words, row in told.items() if re.search(words, effect)]

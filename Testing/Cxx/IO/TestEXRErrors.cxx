@@ -125,7 +125,7 @@ TEST(TestEXRErrors, InputsThatAreNoPictureAreRefused)
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(3, 2, 1);
   writer->SetInputData(bare);
-  CheckWriteRefused(writer, vtkErrorCode::UserError, "no point array", "no array");
+  CheckWriteRefused(writer, vtkErrorCode::UserError, "no numeric point array", "no array");
 
   writer->SetInputData(image);
   writer->SetCompressionToDWAA();

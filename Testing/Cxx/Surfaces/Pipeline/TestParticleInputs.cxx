@@ -238,7 +238,7 @@ TEST(TestParticleInputs, TablesWithoutPositionsAreErrors)
   Refuses(table, "The column \"z\" of the table cannot be used for the particles' positions");
   table->RemoveColumnByName("z");
   table->GetRowData()->AddArray(MakeColumn("z", { 0.0 }));
-  Refuses(table, "it has to hold a number in each row");
+  Refuses(table, "which need a number in each row");
 }
 
 TEST(TestParticleInputs, NumbersThatAreNotFiniteAreLeftOut)

@@ -1,0 +1,189 @@
+#include "Grid/LabelSamples.h"
+
+#include "Grid/ImageSamples.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+#include "vtkImageData.h"
+#include "vtkImageEuclideanDistance.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Pixels around the label; farther points are as far as the last of these pixels.
+constexpr int LabelMargin = 4;
+
+using Box = std::array<int, 6>;
+
+std::size_t CountPixels(const Box& box)
+{
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    count *= static_cast<std::size_t>(std::max(box[2 * axis + 1] - box[2 * axis] + 1, 0));
+  }
+  return count;
+}
+
+// Calls visit(x, y, z, i) for each pixel of a box, in the order of an image of this extent.
+template <class Visit>
+void ForEachPixel(const Box& box, Visit&& visit)
+{
+  std::size_t i = 0;
+  for (int z = box[4]; z <= box[5]; ++z)
+  {
+    for (int y = box[2]; y <= box[3]; ++y)
+    {
+      for (int x = box[0]; x <= box[1]; ++x)
+      {
+        visit(x, y, z, i++);
+      }
+    }
+  }
+}
+
+// Finds which pixels of an image are above the level, their number and their box.
+struct FindLabel
+{
+  Box Extent;
+  double Level;
+  std::vector<unsigned char> Inside;
+  std::size_t Count = 0;
+  Box Bounds = { 1, 0, 1, 0, 1, 0 };
+
+  template <class Array>
+  void operator()(Array* array)
+  {
+    const auto values = vtk::DataArrayValueRange<1>(array);
+    this->Inside.resize(CountPixels(this->Extent));
+    ForEachPixel(this->Extent,
+      [&](int x, int y, int z, std::size_t i)
+      {
+        if (static_cast<double>(values[static_cast<vtkIdType>(i)]) > this->Level)
+        {
+          this->Inside[i] = 1;
+          this->Include({ x, y, z });
+        }
+      });
+  }
+
+private:
+  void Include(const std::array<int, 3>& pixel)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      int &low = this->Bounds[2 * axis], &high = this->Bounds[2 * axis + 1];
+      low = this->Count == 0 ? pixel[axis] : std::min(low, pixel[axis]);
+      high = this->Count == 0 ? pixel[axis] : std::max(high, pixel[axis]);
+    }
+    ++this->Count;
+  }
+};
+
+// Distances in pixels from the pixels of 1 to the nearest pixel of 0.
+class Distances
+{
+public:
+  Distances(const Box& box, const std::vector<unsigned char>& inside)
+  {
+    vtkNew<vtkUnsignedCharArray> values;
+    values->SetNumberOfValues(static_cast<vtkIdType>(inside.size()));
+    std::copy(inside.begin(), inside.end(), values->GetPointer(0));
+    vtkNew<vtkImageData> image;
+    // From index 0: other extents make vtkImageEuclideanDistance write beyond its arrays (VTK 9.1).
+    image->SetDimensions(box[1] - box[0] + 1, box[3] - box[2] + 1, box[5] - box[4] + 1);
+    image->GetPointData()->SetScalars(values);
+    this->Filter->SetInputData(image);
+    this->Filter->InitializeOn();
+    this->Filter->ConsiderAnisotropyOff();
+    this->Filter->Update();
+    this->Squares = static_cast<double*>(this->Filter->GetOutput()->GetScalarPointer());
+  }
+  double operator[](std::size_t i) const { return std::sqrt(this->Squares[i]); }
+
+private:
+  vtkNew<vtkImageEuclideanDistance> Filter;
+  const double* Squares;
+};
+
+// Returns an image of the signed distances in a box around the label.
+vtkSmartPointer<vtkImageData> MakeDistances(vtkImageData* image, const FindLabel& label)
+{
+  Box box = label.Bounds;
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    box[side] += side % 2 == 0 ? -LabelMargin : LabelMargin;
+  }
+  std::vector<unsigned char> inside(CountPixels(box)), outside(inside.size(), 1);
+  const Box& all = label.Extent;
+  const auto row = static_cast<std::size_t>(all[1] - all[0] + 1);
+  const std::size_t slice = row * static_cast<std::size_t>(all[3] - all[2] + 1);
+  ForEachPixel(box,
+    [&](int x, int y, int z, std::size_t i)
+    {
+      const bool isKnown =
+        x >= all[0] && x <= all[1] && y >= all[2] && y <= all[3] && z >= all[4] && z <= all[5];
+      if (isKnown)
+      {
+        inside[i] = label.Inside[slice * static_cast<std::size_t>(z - all[4]) +
+          row * static_cast<std::size_t>(y - all[2]) + static_cast<std::size_t>(x - all[0])];
+        outside[i] = 1 - inside[i];
+      }
+    });
+  const Distances toOutside(box, inside), toInside(box, outside);
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->SetExtent(box[0], box[1], box[2], box[3], box[4], box[5]);
+  result->SetOrigin(image->GetOrigin());
+  result->SetSpacing(image->GetSpacing());
+  result->SetDirectionMatrix(image->GetDirectionMatrix());
+  result->AllocateScalars(VTK_FLOAT, 1);
+  auto* distances = static_cast<float*>(result->GetScalarPointer());
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    distances[i] = static_cast<float>(inside[i] ? .5 - toOutside[i] : toInside[i] - .5);
+  }
+  return result;
+}
+
+}
+
+std::shared_ptr<const GridSamples> MakeLabelSamples(
+  vtkImageData* image, double level, LabelFacts& facts)
+{
+  const ImageSamples check(image, { "", level, true }); // throws for an unusable image
+  const double* spacing = image->GetSpacing();
+  const auto [least, largest] =
+    std::minmax({ std::fabs(spacing[0]), std::fabs(spacing[1]), std::fabs(spacing[2]) });
+  facts.LeastPixel = least;
+  facts.LargestPixel = largest;
+  FindLabel label;
+  image->GetExtent(label.Extent.data());
+  label.Level = level;
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  if (!vtkArrayDispatch::Dispatch::Execute(values, label))
+  {
+    label(values);
+  }
+  facts.Volume = static_cast<double>(label.Count) * std::fabs(spacing[0] * spacing[1] * spacing[2]);
+  if (label.Count == 0)
+  {
+    return nullptr;
+  }
+  ImageLevel surface;
+  surface.Beyond = LabelMargin - .5;
+  return std::make_shared<ImageSamples>(MakeDistances(image, label), surface);
+}
+
+}

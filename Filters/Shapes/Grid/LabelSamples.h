@@ -1,0 +1,36 @@
+// Distances to the surface of a label, the region of an image with one of its two values.
+//
+// The distance is exact at the pixels, trilinear in between, and measured in pixels along each
+// axis: a surface between -1/2 and 1/2 stays within half a pixel of the label's surface along each
+// axis, in that axis' own size. The label's surface are the outer faces of its pixels; pixels
+// beyond the image count as outside.
+
+#ifndef LabelSamples_h
+#define LabelSamples_h
+
+#include "vtkActiveShapesModule.h"
+
+#include <memory>
+
+class vtkImageData;
+
+namespace activesurface
+{
+
+class GridSamples;
+
+struct LabelFacts
+{
+  double Volume = 0.0;       // of its pixels; 0: the image has no label
+  double LeastPixel = 0.0;   // shortest side of a pixel [length]
+  double LargestPixel = 0.0; // longest side of a pixel
+};
+
+// Returns the distances for the pixels whose active scalar is above the level, and sets the facts.
+// Returns null if there are none. Throws std::invalid_argument like ImageSamples.
+VTKACTIVESHAPES_EXPORT std::shared_ptr<const GridSamples> MakeLabelSamples(
+  vtkImageData* image, double level, LabelFacts& facts);
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+// Images of labels as a target of the node scheme, on which the skin is free within half a pixel.
+
+#ifndef LabelTarget_h
+#define LabelTarget_h
+
+#include "Base/NodeTarget.h"
+#include "Targets/BlendedTarget.h"
+
+namespace activesurface
+{
+
+class LabelTarget
+  : public BlendedTarget
+  , public NodeTarget
+{
+public:
+  using BlendedTarget::BlendedTarget;
+
+  // Half the width of the freedom [pixels along each axis], by TargetNoise.
+  static double FindFreedom(const TargetOptions& options, double leastPixel);
+
+  NodeTarget* GetNodes() override { return this; }
+  void PlaceNodes(const NodeMotion& motion) override;
+  void FindShell(bool wantsInside, Shell& shell) const override;
+  bool IsInside(const NodeIndex& node) const override;
+  void EvaluateLeaf(const ShellLeaf& leaf, float* values) const override;
+  void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const override;
+  float GetNoise() const override { return 0.f; }
+  float GetWallGap() const override { return 0.f; }
+  NodeFreedom GetFreedom() const override;
+
+private:
+  struct Block; // a cube of nodes
+  void SampleLabel(
+    const Shape& shape, std::size_t count, const double* points, double* distances) const;
+  void SampleNodes(std::size_t count, const double* points, double* distances) const;
+  double DistanceAt(const double (&node)[3]) const;
+  bool IsUniform(const Block& block, double& distance) const;
+  void Visit(const Block& block, bool wantsInside, Shell& shell) const;
+
+  double VoxelSize = 1.0;
+  double LeastPixel = 1.0, LargestPixel = 1.0; // of the two steps [length]
+};
+
+}
+
+#endif
