@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy
@@ -102,15 +103,44 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
     return _like(own, "distance", level - values.astype(float))
 
 
-def as_label(image: Any, level: float, above: bool) -> Any:
-    """Returns an image that is 1 inside and 0 outside."""
-    own, values = _with_point_values(image)
+def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
+    """Returns a function that converts images of a series, by one rule for all.
+
+    Masks (two values in all images) become labels, 1 inside; other images level sets, negative
+    inside. Raises ValueError like `level_of_series`.
+    """
+    own = [_at_pixels(one) for one in images]
+    values = numpy.concatenate([values for _, values in own])
+    if len(numpy.unique(values[numpy.isfinite(values)])) == 2:
+        border = numpy.concatenate([_at_border(*one) for one in own])
+        mask_level, is_above = _usual_level(values, border)
+        return lambda image: _as_label(image, mask_level, is_above)
+    level, above = level_of_series(images)
+    return lambda image: as_level_set(image, level, above)
+
+
+def _as_label(image: Any, level: float, above: bool) -> Any:
+    own, values = _at_pixels(image)
     return _like(own, "label", (values > level if above else values < level).astype("u1"))
 
 
-def is_mask(images: list[Any]) -> bool:
-    """Returns true if the images have two different values in all."""
-    return len({value for one in images for value in numpy.unique(_with_point_values(one)[1])}) == 2
+def _at_pixels(image: Any) -> tuple[Any, Any]:
+    """Returns the image, or one whose points are the centres of the cells that have the values."""
+    if image.GetPointData().GetScalars() is not None or image.GetCellData().GetScalars() is None:
+        return _with_point_values(image)
+    values = vtk_to_numpy(image.GetCellData().GetScalars())
+    centres, low = image.NewInstance(), image.GetExtent()[::2]
+    centres.CopyStructure(image)
+    centres.SetDimensions([max(n - 1, 1) for n in image.GetDimensions()])
+    turn, sides = image.GetDirectionMatrix(), image.GetSpacing()
+    away = [sides[j] * (low[j] + 0.5 * (image.GetDimensions()[j] > 1)) for j in range(3)]
+    centres.SetOrigin(
+        [
+            image.GetOrigin()[i] + sum(turn.GetElement(i, j) * away[j] for j in range(3))
+            for i in range(3)
+        ]
+    )
+    return centres, values
 
 
 def _like(image: Any, name: str, values: Any) -> Any:

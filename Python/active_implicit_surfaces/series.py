@@ -26,7 +26,7 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .choice import choose, conditions, note_once, without_small_pieces
-from .contours import as_label, as_level_set, is_mask, level_of_series
+from .contours import converter_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
@@ -134,10 +134,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         Raises ValueError if the images have several labels, or no values below 0.
         """
         if self._output_type == "vtkImageData":
-            told = self.frames_that_tell()
-            level, above = level_of_series(told)
-            convert = as_label if is_mask(told) else as_level_set
-            self._change(lambda image: convert(image, level, above))
+            self._change(converter_of_series(self.frames_that_tell()))
 
     def _change(self, change: Callable[[Any], Any]) -> None:
         load = self._load

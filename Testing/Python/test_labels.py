@@ -9,9 +9,10 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from active_implicit_surfaces.measures import measure
-from shapes import bytes_of, image_of, points_of, with_properties
+from shapes import as_array, bytes_of, image_of, points_of, with_properties
 from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix3x3
 from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
@@ -221,6 +222,17 @@ class Series(unittest.TestCase):
         normals = vtk_to_numpy(skins[2].GetPointData().GetArray("Normals"))
         ends = numpy.abs(normals[:, 0]) > 0.95
         self.assertAlmostEqual(velocity[ends, 0].mean(), 10.0, delta=2.0)
+
+    def test_values_of_cells_are_at_their_centers(self):
+        values = ball_label(ISOTROPIC)
+        cells = vtkImageData()
+        cells.SetDimensions([n + 1 for n in values.shape[::-1]])
+        cells.SetOrigin(-0.5, -0.5, -0.5)
+        cells.GetCellData().SetScalars(as_array(values.ravel()))
+        of_points, of_cells = (
+            next(iter(active.frames([image], fps=1))).skin for image in (image_of(values), cells)
+        )
+        self.assertEqual(bytes_of(of_cells), bytes_of(of_points))
 
     def test_a_state_continues(self):
         with tempfile.TemporaryDirectory() as folder:

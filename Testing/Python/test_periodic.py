@@ -16,11 +16,13 @@ from active_implicit_surfaces import (
     vtkActiveVDBWriter,
 )
 from active_implicit_surfaces.data_objects import as_particles
+from active_implicit_surfaces.measures import measure
 from command_line import CommandTest
 from listener import Listener
 from shapes import points_of, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkCommonDataModel import vtkBox
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkFeatureEdges
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 SPACING = 0.1
@@ -170,6 +172,30 @@ class Water(unittest.TestCase):
             again = surface_over(frames)
             self.assertTrue(again.LoadState(state))
             numpy.testing.assert_array_equal(points_of(skin_at(again, 3)), wanted)
+
+    def test_the_sides_may_be_cut_open(self):
+        """As Filters/inputs.md tells: a clip by a box a hundredth of a voxel smaller."""
+        surface = surface_over([wrapped(water(0))])
+        less, closed = 0.01 * VOXEL, skin_at(surface, 0)
+        box, clip = vtkBox(), vtkClipPolyData()
+        box.SetBounds(less, SIDE - less, less, SIDE - less, -10, 10)
+        clip.SetInputData(closed)
+        clip.SetClipFunction(box)
+        clip.InsideOutOn()
+        clip.Update()
+        skin = clip.GetOutput()
+        edges = vtkFeatureEdges()
+        edges.SetInputData(skin)
+        edges.FeatureEdgesOff()
+        edges.Update()
+        rim = points_of(edges.GetOutput())[:, :2]
+        self.assertGreater(len(rim), 4 * SIDE / VOXEL)
+        at_side = numpy.minimum(numpy.abs(rim), numpy.abs(rim - SIDE)).min(axis=1)
+        self.assertLess(numpy.median(at_side), 1.1 * less)
+        self.assertLess(at_side.max(), 0.2 * VOXEL)  # at edges VTK interpolates between two faces
+        caps = measure(closed)["area"] - measure(skin)["area"]
+        heights = DEPTH * SPACING - 2 * VOXEL, DEPTH * SPACING  # the edges of caps are round
+        self.assertTrue(heights[0] < caps / (4 * SIDE) < heights[1], caps)
 
     def test_particles_in_the_velocity(self):
         surface = surface_over([wrapped(water(t)) for t in range(3)], ComputeVelocity=1)

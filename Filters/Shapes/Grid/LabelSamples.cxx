@@ -92,31 +92,29 @@ private:
   }
 };
 
-// Distances in pixels from the pixels of 1 to the nearest pixel of 0.
-class Distances
+// Writes the distances in pixels of the marked pixels to the other ones, less half a pixel.
+void WriteDistances(
+  const Box& box, const std::vector<unsigned char>& marks, double sign, float* distances)
 {
-public:
-  Distances(const Box& box, const std::vector<unsigned char>& inside)
+  vtkNew<vtkUnsignedCharArray> values;
+  values->SetNumberOfValues(static_cast<vtkIdType>(marks.size()));
+  std::copy(marks.begin(), marks.end(), values->GetPointer(0));
+  // From index 0: other extents make vtkImageEuclideanDistance write beyond its arrays (VTK 9.1).
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(box[1] - box[0] + 1, box[3] - box[2] + 1, box[5] - box[4] + 1);
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkImageEuclideanDistance> filter;
+  filter->SetInputData(image);
+  filter->InitializeOn();
+  filter->ConsiderAnisotropyOff();
+  filter->Update();
+  const auto* squares = static_cast<const double*>(filter->GetOutput()->GetScalarPointer());
+  for (std::size_t i = 0; i < marks.size(); ++i)
   {
-    vtkNew<vtkUnsignedCharArray> values;
-    values->SetNumberOfValues(static_cast<vtkIdType>(inside.size()));
-    std::copy(inside.begin(), inside.end(), values->GetPointer(0));
-    vtkNew<vtkImageData> image;
-    // From index 0: other extents make vtkImageEuclideanDistance write beyond its arrays (VTK 9.1).
-    image->SetDimensions(box[1] - box[0] + 1, box[3] - box[2] + 1, box[5] - box[4] + 1);
-    image->GetPointData()->SetScalars(values);
-    this->Filter->SetInputData(image);
-    this->Filter->InitializeOn();
-    this->Filter->ConsiderAnisotropyOff();
-    this->Filter->Update();
-    this->Squares = static_cast<double*>(this->Filter->GetOutput()->GetScalarPointer());
+    distances[i] =
+      marks[i] ? static_cast<float>(sign * (std::sqrt(squares[i]) - .5)) : distances[i];
   }
-  double operator[](std::size_t i) const { return std::sqrt(this->Squares[i]); }
-
-private:
-  vtkNew<vtkImageEuclideanDistance> Filter;
-  const double* Squares;
-};
+}
 
 // Returns an image of the signed distances in a box around the label.
 vtkSmartPointer<vtkImageData> MakeDistances(vtkImageData* image, const FindLabel& label)
@@ -142,7 +140,6 @@ vtkSmartPointer<vtkImageData> MakeDistances(vtkImageData* image, const FindLabel
         outside[i] = 1 - inside[i];
       }
     });
-  const Distances toOutside(box, inside), toInside(box, outside);
   auto result = vtkSmartPointer<vtkImageData>::New();
   result->SetExtent(box[0], box[1], box[2], box[3], box[4], box[5]);
   result->SetOrigin(image->GetOrigin());
@@ -150,10 +147,8 @@ vtkSmartPointer<vtkImageData> MakeDistances(vtkImageData* image, const FindLabel
   result->SetDirectionMatrix(image->GetDirectionMatrix());
   result->AllocateScalars(VTK_FLOAT, 1);
   auto* distances = static_cast<float*>(result->GetScalarPointer());
-  for (std::size_t i = 0; i < inside.size(); ++i)
-  {
-    distances[i] = static_cast<float>(inside[i] ? .5 - toOutside[i] : toInside[i] - .5);
-  }
+  WriteDistances(box, inside, -1.0, distances);
+  WriteDistances(box, outside, 1.0, distances);
   return result;
 }
 
