@@ -578,7 +578,7 @@ public:
 
   ///@{
   /** Time at which the skin coincides with a static target [pipeline time after the first time
-   * step], to 0.1 voxel where the target is a distance nearby. Each part moves at constant speed;
+   * step], to 0.1 voxel if F is a distance near the target. Each point moves at constant speed;
    * thin limbs grow along their length. Parts only in the target grow from a core (with
    * CreateParts); parts only in the start shrink. Later, Attraction keeps the skin on the target.
    * Ignored with EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: no arrival. Default: 0. */

@@ -1,5 +1,5 @@
-// A compact list of particles. Coordinates are in single precision if that is exact. Equal radii,
-// or equal strengths, are stored once.
+// A compact list of particles. Coordinates are single precision if exact. A radius or strength
+// common to all particles is stored once.
 
 #ifndef ParticleList_h
 #define ParticleList_h

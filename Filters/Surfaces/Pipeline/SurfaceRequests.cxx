@@ -146,7 +146,7 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   }
 }
 
-// Reads the data that the start needs, by updates within the request.
+// Updates the inputs to read the first target and the initial shape.
 void SurfaceRequests::ReadFirst(vtkInformationVector** input)
 {
   vtkInformation* target = Get(input, SurfaceInput::Target);

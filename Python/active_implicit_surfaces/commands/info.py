@@ -179,7 +179,7 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
 
 
 def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
-    """Prints the measures of each of several meshes."""
+    """Returns the measures of each of several meshes."""
     found, note = [], note_once() if len(frames) > 1 else None
     for file, *parts in frames:
         mesh = choose(read_shape(file, parts=parts), where, note=note)
