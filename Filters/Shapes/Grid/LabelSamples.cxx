@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace activesurface
 {
@@ -27,14 +28,15 @@ constexpr int LabelMargin = 4;
 
 using Box = std::array<int, 6>;
 
+std::size_t GetLength(const Box& box, std::size_t axis)
+{
+  const int pixels = box[2 * axis + 1] - box[2 * axis] + 1;
+  return pixels > 0 ? static_cast<std::size_t>(pixels) : 0;
+}
+
 std::size_t CountPixels(const Box& box)
 {
-  std::size_t count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    count *= static_cast<std::size_t>(std::max(box[2 * axis + 1] - box[2 * axis] + 1, 0));
-  }
-  return count;
+  return GetLength(box, 0) * GetLength(box, 1) * GetLength(box, 2);
 }
 
 // Calls visit(x, y, z, i) for each pixel of a box, in the order of an image of this extent.
@@ -126,8 +128,7 @@ vtkSmartPointer<vtkImageData> MakeDistances(vtkImageData* image, const FindLabel
   }
   std::vector<unsigned char> inside(CountPixels(box)), outside(inside.size(), 1);
   const Box& all = label.Extent;
-  const auto row = static_cast<std::size_t>(all[1] - all[0] + 1);
-  const std::size_t slice = row * static_cast<std::size_t>(all[3] - all[2] + 1);
+  const std::size_t row = GetLength(all, 0), slice = row * GetLength(all, 1);
   ForEachPixel(box,
     [&](int x, int y, int z, std::size_t i)
     {
