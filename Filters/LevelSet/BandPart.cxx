@@ -52,7 +52,7 @@ bool HasVertices(const LeafTable& table, std::size_t i)
 class VertexCount
 {
 public:
-  /** Collective, like Answer. */
+  /** Collective. Answer is collective too. */
   VertexCount(const LeafTable& table, const Domain& space)
     : Space(space)
     , Asked(static_cast<std::size_t>(space.GetRanks().GetSize()))

@@ -1,6 +1,6 @@
 /**
- * Partition of a band among ranks: each rank has its own leaves, and a halo: leaves of other ranks
- * next to its own leaves.
+ * Partition of a band among ranks. Each rank has its own leaves and a halo. The halo consists of
+ * the other ranks' leaves next to the own leaves.
  */
 #ifndef BandPart_h
 #define BandPart_h

@@ -82,8 +82,8 @@ void BandState::AddGhosts()
   }
 }
 
-// Clamps the layers to +-NodeLimit. In leaves that the node scheme has not created, nodes have + or
-// - the background.
+// Clamps the layers to +-NodeLimit, as the node scheme does. Layers also extend to leaves that the
+// node scheme has not created: their nodes have + or - the background.
 void BandState::BoundLayers()
 {
   this->Leaves.ForEach(

@@ -35,8 +35,8 @@ struct BandState
   std::size_t Crossings = 0;
   SkinMeasure StartMeasure; // world units
   double BoxSize = 1.0;     // longest side of the bounds at the start
-  bool Paper = false;       // the band is the paper's: see PaperStep.h
-  bool HasGhosts = true;    // false: the node scheme has set all nodes of the layers
+  bool Paper = false;       // true: the paper's scheme, see PaperStep.h
+  bool HasGhosts = true;    // false: all layers have values of the node scheme
   AdvanceReport Work;       // since ForgetWork
   ActiveSet Set;            // leaves of the current substep; kept for its capacity
   SubstepBuffers Buffers;
@@ -81,7 +81,7 @@ struct BandState
 
   void CreateParts(const Motion& motion, const Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** Makes one substep of any length; the report's SurfaceSpeed is its measured speed. */
+  /** Makes one substep, which may end at any time. Measures SurfaceSpeed for the report. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** Clips the surface at walls and obstacle, between motions. Area and volume are measured again,
@@ -93,7 +93,7 @@ struct BandState
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
 
-  /** Sets the surface to the target at the time, then applies attraction and tension for
+  /** Sets the surface to the target at the band's time, then applies attraction and tension for
    * `duration`. */
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const

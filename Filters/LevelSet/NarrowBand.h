@@ -60,8 +60,8 @@ public:
 
   /** Returns a copy with its own potential: a branch that does not change this trajectory. */
   std::unique_ptr<NarrowBand> Clone() const;
-  /** Returns the part of the surface within walls, closed at the walls, with the work and the time
-   * of this band. */
+  /** Returns the part of the surface within walls, closed at the walls, with GetTime and GetWork of
+   * this band. */
   std::unique_ptr<NarrowBand> MakePartWithin(const Walls& walls) const;
 
   /**
@@ -106,9 +106,10 @@ public:
   void SetNumberOfThreads(int threads);
 
   /**
-   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band,
-   * or a shape that fills the bounds, would have more active nodes. Advance throws after a substep
-   * in which the band exceeds the limit, and before any further substep while the band exceeds it.
+   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
+   * would have more active nodes, or if the bounds are too large for the limit. Advance throws
+   * after a substep in which the band exceeds the limit, and before any further substep while the
+   * band exceeds it.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 
@@ -126,7 +127,7 @@ public:
   /**
    * Sets the potential to the target at `time`, then applies attraction and tension for `duration`:
    * the first frame is then as smooth as the following frames. Target::GetNodes must not be null.
-   * bounds: only their size is used. Throws like Advance.
+   * bounds: only their size is used. Throws like Advance, and for the same bounds as Start.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
@@ -161,8 +162,8 @@ public:
     Target& target, const ProgressFunction& progress = {});
 
   ///@{
-  /** Sums of the counts in the reports since the start or the last ForgetWork, and the largest
-   * MaxSpeed. Calls that ended in an exception are included. Clone copies this report. */
+  /** Sums of the counts in the reports since the last Start, StartOnNodes or ForgetWork, and the
+   * largest MaxSpeed. Calls that ended in an exception are included. Clone copies this report. */
   const AdvanceReport& GetWork() const;
   void ForgetWork();
   ///@}

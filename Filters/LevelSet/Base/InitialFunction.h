@@ -26,7 +26,7 @@ struct SurfacePoints
   /** Box that contains all points where the function is negative. */
   double Bounds[6] = {};
 
-  /** Largest distance between a face of the start's bounds and a wall that cuts the shape [length].
+  /** Largest distance from a face of the bounds of Start to a wall that cuts the shape [length].
    */
   double DepthOfWalls = 0.0;
 };
@@ -38,17 +38,17 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together contain the zero set. With boxes, the cost of the start depends on
-   * the boxes, not on the bounds. Outside the boxes the function keeps its sign and is not
-   * evaluated. Empty: the boxes are unknown, and the function is sampled everywhere within the
+   * Visits boxes that together contain the zero set. With boxes, the cost of NarrowBand::Start
+   * depends on the boxes, not on the bounds. Outside the boxes the function keeps its sign and is
+   * not evaluated. Empty: the boxes are unknown, and the function is sampled everywhere within the
    * bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set. If the points are known, the start uses the points instead of the
-   * regions, at a cost that depends on the number of points. The result is bitwise identical to
-   * that without points.
+   * Points near the zero set. If the points are known, NarrowBand::Start uses the points instead
+   * of the boxes, at a cost that depends on the number of points. The potential is bitwise
+   * identical to the one from samples everywhere within the bounds.
    */
   SurfacePoints Surface;
 };

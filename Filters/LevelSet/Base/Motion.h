@@ -151,9 +151,9 @@ struct SteadyStateCriterion
   /** Largest normal speed of a steady surface at the sample points [voxels/time]. If the tolerance
    * is not 0, a surface that only oscillates is steady too; see Displacement.h. */
   double Tolerance = 1e-3;
-  /** Longest displacement of a static sample point in a window of substeps [voxels]. */
+  /** A sample point counts as moved in a window of substeps if it moves farther [voxels]. */
   static constexpr double Still = .02;
-  /** Largest fraction of the sample points that may move in a steady state. */
+  /** Largest fraction of moved sample points in a steady state. */
   static constexpr double FewMoving = .05;
   std::size_t MaximumSubsteps = 10000;
 };
@@ -180,7 +180,7 @@ struct AdvanceReport
    * end of the first window.
    */
   double MovingShare = 0.0;
-  double MovingDistance = 0.0; //< likewise, but mean displacement [voxels]
+  double MovingDistance = 0.0; //< like MovingShare, but the mean displacement [voxels]
 };
 
 /** Receives the completed fraction, in [0,1], before each substep; returns false to cancel. */

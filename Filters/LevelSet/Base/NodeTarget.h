@@ -32,7 +32,7 @@ struct ShellLeaf
 struct Shell
 {
   std::vector<ShellLeaf> Leaves;       //< ascending by origin (x, y, z)
-  std::vector<NodeIndex> InsideLeaves; //< other leaves inside, in any order; on request
+  std::vector<NodeIndex> InsideLeaves; //< leaves inside, not in Leaves; in any order; on request
 };
 
 /** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is at the node
@@ -56,14 +56,14 @@ struct NodeMotion
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
-/** Freedom of the skin around a target whose surface is known only to its pixels: the skin stays
- * where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth, is smoothed by tension,
- * and is not attracted within. */
+/** Freedom of the skin around a target whose surface is known only to a pixel, as with labels. The
+ * skin stays where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth. In this range
+ * tension smooths the skin, without attraction. */
 struct NodeFreedom
 {
   float HalfWidth = 0.f; //< 0: the skin is attracted everywhere
-  /** Least slope of the potential near the surface [1/voxel]; differences at thin parts are less.
-   */
+  /** Lower bound of the potential's slope [1/voxel], for thin parts: there central differences give
+   * smaller slopes. */
   float LeastSlope = 0.f;
 };
 
@@ -73,9 +73,9 @@ public:
   virtual ~NodeTarget() = default;
 
   /** Places the target at the end of a motion. Displacements are those since the beginning of the
-   * motion. Called by one thread. Collective if space is partitioned: results are then valid in
-   * the leaves of this rank; the side of a leaf, inside or outside, is also valid in the leaves
-   * around these leaves. */
+   * motion. Called by one thread. Collective if space is partitioned. Results are then valid only
+   * in this rank's leaves, except the side of a leaf (inside or outside), which is also valid in
+   * neighbours of these leaves. */
   virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
   /** Finds the shell of the placed target, and the inside leaves if wanted. */
@@ -88,13 +88,13 @@ public:
    * nearly linear across the surface, 1 far from the target. Thread-safe. */
   virtual void EvaluateLeaf(const ShellLeaf& leaf, float* values) const = 0;
 
-  /** Thread-safe. */
+  /** Writes the motion of the target in a leaf. Thread-safe. */
   virtual void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const = 0;
 
-  /** Distance within which the surface of a body is noise [voxels], see TargetNoise; 0: none. */
+  /** Amplitude of the noise of a body's surface [voxels], see property TargetNoise; 0: no noise. */
   virtual float GetNoise() const = 0;
 
-  /** Largest distance from a wall at which a surface still rests on the wall [voxels]; 0: none. */
+  /** A surface within this distance of a wall is shifted onto the wall [voxels]; 0: no shift. */
   virtual float GetWallGap() const = 0;
 
   virtual NodeFreedom GetFreedom() const { return {}; }

@@ -50,8 +50,8 @@ public:
   /** Visits some points of the part, the deepest ones first: at least one in each leaf or tile. */
   virtual void ForEachSample(const PointVisitor& visit) const = 0;
 
-  /** Visits all known points. The skin meets the part if one of these points is on the part's side
-   * of the skin. */
+  /** Visits all known points of the part. The skin meets a part of the inside if one of its points
+   * is inside the skin, and a hollow if one of its points is outside. */
   virtual void ForEachPoint(const PointVisitor& visit) const = 0;
 };
 

@@ -12,8 +12,8 @@
 namespace activesurface
 {
 
-/** Part of tension in the rate that limits an explicit step: the step is stable up to 1 / (sum of
- * the rates of all terms). */
+/** Returns the rate of tension. An explicit step is stable up to 1 / (sum of the rates of all
+ * terms). */
 inline double TensionRate(double tension, double voxelSize)
 {
   return 4.0 * std::fabs(tension) / (voxelSize * voxelSize);
@@ -26,7 +26,7 @@ inline double SmallestBall(double tension, double attraction)
   return tension > 0.0 ? std::sqrt(8.0 * tension / attraction) : 0.0;
 }
 
-/** Automatic tension over particles: Attraction (spacing / 2)^2 / 2. TensionWeighting reduces this
+/** Automatic tension for particles: Attraction (spacing / 2)^2 / 2. TensionWeighting reduces this
  * tension to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx). */
 inline double AutomaticTension(double attraction, double spacing)
 {
@@ -35,8 +35,8 @@ inline double AutomaticTension(double attraction, double spacing)
   return factor * attraction * r * r;
 }
 
-/** Automatic tension over labels, whose skin is free within half a pixel (NodeFreedom): smooths
- * over 1.2 pixels^2. pixel: the shortest side of a pixel. */
+/** Automatic tension for labels, whose skin is free within half a pixel (NodeFreedom). Tension
+ * times its duration in a frame (NodeStep.cxx) is 1.2 pixels^2. pixel: shortest side of a pixel. */
 inline double AutomaticTensionOfLabels(double attraction, double pixel)
 {
   return 0.2 * attraction * pixel * pixel;

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double Nearest = 1e-3; // voxels
-/** Nodes of a crossed edge are up to a voxel off the surface. */
+/** Voxels. The nodes of a crossed edge are up to a voxel off the surface. */
 constexpr double NodesNearest = 1.0;
 
 /** Coefficients of a step that moves the surface by its speed. */
@@ -111,7 +111,7 @@ LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const Conv
     return table.FindAll(
       [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
   }
-  // A leaf with a high speed at its nodes is active and measured again without interpolation.
+  // A leaf with a high speed at its nodes has not converged, so AtSurface is not interpolated.
   const auto mayConverge = [fastest = NodesNearest * SpeedOfVoxel(rule)](const LeafSpeed& speed)
   { return speed.AtNodes <= fastest; };
   table.ForEach(measured,

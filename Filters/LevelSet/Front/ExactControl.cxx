@@ -21,7 +21,7 @@ constexpr double Precision = 1e-9; // relative
 // Lengths in voxels.
 constexpr double Farthest = 2.0 / (3.0 * 1.7320508075688772); // per displacement, as for a substep
 constexpr double FarthestInAll = 1.5;
-constexpr double Noticeable = 1e-5; // below, a measured rate is mostly rounding
+constexpr double Noticeable = 1e-5; // the gain of a smaller displacement is mostly rounding
 
 /**
  * |grad u| of a row by central differences, like those of tension, limited to 0.9 to 1.1 times the

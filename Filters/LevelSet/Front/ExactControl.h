@@ -20,13 +20,13 @@ struct SubstepBuffers;
 struct ControlledBand
 {
   LeafTable& Leaves;
-  ActiveSet& Set; //< capacity for all leaves, because each displacement moves all
+  ActiveSet& Set; //< with capacity for all leaves: each displacement moves all leaves
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< rebuilds layers and ghosts from the potential
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< the displacement is at most 1.5 Rounds; more than 1 for long substeps
+  int Rounds = 1; //< limits the displacement to 1.5 Rounds; above 1 for long substeps
 };
 
 /** Moves the surface, by at most 1.5 Rounds voxels, until the relative error of the volume is 1e-9.

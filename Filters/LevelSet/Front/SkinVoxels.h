@@ -75,7 +75,7 @@ public:
       pair(this->Row[x + 1][y + 1]) << 6;
   }
 
-  /** Returns the lower corners of the voxels whose corners differ. */
+  /** Returns the lower corners of the crossed voxels: voxels whose corners differ in sign. */
   ACTIVE_ALWAYS_INLINE LeafMask Crossed() const
   {
     LeafMask crossed;

@@ -230,8 +230,8 @@ struct ExtendLeaf
   }
 };
 
-/** Runs one sweep from nodes to their neighbours. Returns false if no active node is left to
- * reach. */
+/** Runs one sweep from nodes to their neighbours. Returns true if another sweep may reach more
+ * active nodes. */
 bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };

@@ -14,8 +14,9 @@ namespace activesurface
 namespace
 {
 
-/** Advection by minmod-limited differences is stable (the total variation does not grow) up to
- * 2/3 of a voxel in the 1-norm, which is at most sqrt 3 times the speed. */
+/** Advection by minmod-limited differences is stable (the total variation does not grow) up to a
+ * displacement of 2/3 voxel in the 1-norm. The 1-norm of a velocity is at most sqrt 3 times the
+ * speed. */
 double AdvectionRate(double speed, double voxelSize)
 {
   return 1.5 * std::sqrt(3.0) * speed / voxelSize;

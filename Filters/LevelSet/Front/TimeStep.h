@@ -30,7 +30,8 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
-/** Part of the target's speed and slope in the rate that limits the time step [1/time]. */
+/** Returns the rate of the target's speed and slope, a term of the sum that limits the time step
+ * [1/time]. */
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
 
 /** The largest stable step; infinite if nothing moves. */
@@ -57,7 +58,7 @@ void CheckSize(std::size_t count, std::size_t maximum);
  * finite, and the paper's scheme clamps the potential. */
 void CheckBounded(bool isUnbounded, double time);
 
-/** The factor from a speed to voxels per step. */
+/** Returns the factor that converts a speed to voxels per step. */
 float AdvectionFactor(double step, double voxelSize);
 
 }

@@ -6,7 +6,7 @@
  *   sum of w^2 (a - t)^2 = 1,   t = (4 a1 - a2) / 3, w = 3/2 if there is an a2 <= a1,
  *                               else t = a1, w = 1
  *
- * over the axes from which the wave comes, t < a.
+ * where the sum is over the axes with t < a, from which the wave comes.
  */
 #ifndef EikonalUpdate_h
 #define EikonalUpdate_h

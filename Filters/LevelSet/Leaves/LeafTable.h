@@ -63,7 +63,7 @@ struct LeafSpeed
 {
   bool IsKnown = false;
   float AtNodes = 0.f;      //< largest |target speed| at the nodes with samples
-  float AtSurface = 0.f;    //< of the surface, see ConvergedLeaves.h
+  float AtSurface = 0.f;    //< speed of the surface, see ConvergedLeaves.h
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
@@ -189,7 +189,7 @@ public:
     return { side == 0 ? leaf : this->Leaves[leaf].Neighbour[FaceNumber(axis, side)], moved };
   }
 
-  /** Step for offsets of at most 8 on each axis (including edge and corner neighbours). */
+  /** Like Step, for an offset of at most 8 nodes along each axis. */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
   /** Calls function(i) for every leaf, or for the leaves of a list, in parallel. */

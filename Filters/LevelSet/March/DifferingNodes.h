@@ -33,8 +33,8 @@ struct ArrivalSearch
   std::array<double, 6> Bounds; // xmin xmax ymin ymax zmin zmax
 };
 
-/** Maximum number of nodes of a lattice; the search of as many nodes needs a fraction of a second.
- * A lattice with more nodes is coarsened by factors of two, up to LargestStride. */
+/** Maximum number of differing nodes; a search that finds this number takes a fraction of a second.
+ * If more nodes differ, the lattice is coarsened by factors of two, up to LargestStride. */
 constexpr std::size_t MostDifferingNodes = 400000;
 constexpr int LargestStride = 8;
 

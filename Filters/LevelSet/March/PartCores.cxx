@@ -23,7 +23,7 @@ constexpr std::size_t CommonNodesAtOnce = 512;
 
 using Places = std::vector<openvdb::Coord>;
 
-/** Adds the neighbours of a node that are neither differing nodes nor in the set. */
+/** Adds a node's neighbours to `known` and `waiting`, except differing nodes and known nodes. */
 void AddBeside(const openvdb::Coord& place, DifferingNodes& nodes, std::set<openvdb::Coord>& known,
   Places& waiting)
 {

@@ -57,8 +57,8 @@ public:
       });
   }
 
-  /** Returns true if y is in the middle of a vanishing part, which the surface reaches from all
-   * sides, and not at the target. */
+  /** Returns true if all six neighbours of y = node i differ on the same side. Then y is in the
+   * middle of a vanishing part, which the surface reaches from all sides, and not at the target. */
   bool IsCore(std::int32_t i) const
   {
     const std::array<std::int32_t, 6>& around = this->Neighbours[i];
@@ -206,8 +206,9 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** Returns `detour`, the excess of d(x,y) over `gain` = T(y) - T(x), up to 0.1 gain: x is then on a
- * bump of the surface. Returns 0 from 0.3 gain on: x is then beside the path. */
+/** gain: T(y) - T(x); detour: d(x,y) - gain. Returns `detour` if detour <= 0.1 gain: x is then on a
+ * bump of the surface. Returns 0 if detour >= 0.3 gain: x is then beside the path. The transition
+ * between the two limits is smooth. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain

@@ -16,8 +16,8 @@ namespace
 /** Least number of stages: four decays by e^(-1.5) at the usual attraction a = 6. */
 constexpr int FewestStages = 4;
 
-/** Most stages without attraction whose tension is all by differences over 2 nodes, which are more
- * accurate on thin parts than wider differences. */
+/** Without attraction, up to this number of stages compute all tension by differences over 2 nodes.
+ * Wider differences are less accurate on thin parts. */
 constexpr int FineStages = 64;
 
 /** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
@@ -33,8 +33,8 @@ constexpr float TensionOfStages = 10.f * TensionOfStage;
  */
 constexpr float SlowShare = .03f;
 /**
- * Bulks of full bodies: the transition is from FullFrom to FullTo. The noise width of full bodies
- * is NoiseOfFull times as large, because the particles of a body agree on the surface.
+ * A body is full from the bulk FullTo on; the transition begins at FullFrom. The noise of a full
+ * body is multiplied by NoiseOfFull, because the particles of a body agree on the surface.
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 /** If attraction and tension are out of balance by less than Imbalance times the noise, both rates
@@ -211,7 +211,7 @@ private:
   {
     const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes body = Least(bulk + bulk, one);
-    // Away from the skin the slope of u is not 1, and frames differ more.
+    // The noise grows with |u|: away from the skin the slope of u is not 1, and frames differ more.
     const Lanes noise =
       (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
@@ -231,7 +231,8 @@ private:
   }
 };
 
-/** Volume and area of the skin [voxels^3, voxels^2], from the nodes within half a voxel of it. */
+/** Volume and area of the skin [voxels^3, voxels^2], estimated at the nodes. A node within half a
+ * voxel of the skin counts partly for the volume, and as 1 for the area. */
 struct SkinEstimate
 {
   double Volume = 0.0, Area = 0.0;
@@ -252,7 +253,7 @@ SkinEstimate EstimateSkin(const NodeFields& fields)
       }
     });
   SkinEstimate sum;
-  for (const SkinEstimate& part : parts) // in this order, for the same bytes
+  for (const SkinEstimate& part : parts) // a fixed order, for bitwise identical sums
   {
     sum.Volume += part.Volume;
     sum.Area += part.Area;
@@ -261,7 +262,8 @@ SkinEstimate EstimateSkin(const NodeFields& fields)
 }
 
 /** Keeps the volume of a skin with NodeFreedom from stage to stage. Otherwise tension would press
- * the skin against the inner side of its freedom, whose steps would then show. */
+ * the skin against the inner limit of its freedom. This limit has the steps of the pixels, so the
+ * skin would show the steps. */
 class VolumeKeeper
 {
 public:

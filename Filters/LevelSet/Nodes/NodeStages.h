@@ -30,7 +30,7 @@ struct StageCoefficients
   float Decay = 0.f;       //< a; 0 with NodeFreedom
   float Tension = 0.f;     //< b, >= 0
   float Noise = 0.f;       //< of the target's surface [voxels]; 0: none
-  bool IsWeighted = false; //< if bulks weigh the tension; otherwise g = 1
+  bool IsWeighted = false; //< true: g depends on the bulk; false: g = 1
 };
 
 /** Bulk in [0,1] at the points of a LeafMotion. */

@@ -25,8 +25,8 @@ namespace activesurface
 struct NodeFrame
 {
   OldPotential& Old;
-  double Begin, End; //< motion times; equal for a start, which begins at the target
-  double Duration;   //< of attraction and tension; End - Begin, except for a start
+  double Begin, End; //< motion times; if equal, the frame begins at the target
+  double Duration;   //< of attraction and tension; End - Begin if End > Begin
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all

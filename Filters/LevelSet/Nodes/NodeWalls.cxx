@@ -51,9 +51,9 @@ float CosineToWall(const WallSide& side, const float (&gradient)[3])
   return towards > 0.f ? towards / std::sqrt(square) : 0.f;
 }
 
-/** Returns the displacement of a surface at the distance `between` from a wall: the whole distance
- * up to `gap`, falling to 0 at 1.5 gap, times the weight of the cosine. A surface that approaches a
- * wall therefore does not jump. */
+/** Returns the displacement of a surface at the distance `between` from a wall. The displacement is
+ * `between` up to `gap` and falls to 0 at 1.5 gap, so an approaching surface does not jump. The
+ * displacement is multiplied by the weight of the cosine. */
 float ShiftToWall(float between, float cosine, float gap)
 {
   const float facing = (cosine - LeavesWall) / (FacesWall - LeavesWall);

@@ -85,7 +85,7 @@ private:
   void Divide(CostIterator begin, CostIterator end, int first, int last);
 
   const Agreement Ranks;
-  std::vector<Cut> Cuts;         // of ranks [first, last): at the index of the middle rank
+  std::vector<Cut> Cuts;         // index: `middle` of Divide
   std::vector<NodeIndex> Firsts; // first leaf that each of the ranks 1, 2, ... counts
 };
 

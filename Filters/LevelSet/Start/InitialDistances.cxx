@@ -112,8 +112,8 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if the value at a node is below -1e-8 * largest. largest: the largest value around.
- * Fast sweeping treats smaller magnitudes as zero, and rejects a function without any such node. */
+/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping rejects a function
+ * without such a node: it treats smaller magnitudes as zero. largest: the function's maximum. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -204,7 +204,7 @@ public:
   {
     openvdb::FloatTree& function = this->Function->tree();
     openvdb::tools::signedFloodFillWithValues(function, Far, -Far);
-    // A sheet that is inside only by rounding keeps the function: there is no better distance.
+    // If nodes are inside only by rounding, the function's values are used as distances.
     this->Distances = HasInside(function, LargestOf(function))
       ? openvdb::tools::sdfToSdf(*this->Function, 0.f, 1)
       : this->Function->deepCopy();

@@ -20,10 +20,10 @@ namespace activesurface
 namespace
 {
 
-/** Rejects too large boxes before sampling. The limit for a box of n^3 voxels is 7 n^2 active
- * voxels: a ball of diameter 0.6 n needs about 7 n^2, a ball that fills the box 20 n^2. Also
- * rejects a box whose nodes would need minutes to sample, as with a stray particle far from all
- * other particles. */
+/** Rejects too large boxes before sampling. A box of n^3 voxels is rejected if 7 n^2 exceeds the
+ * maximum of active voxels: a ball of diameter 0.6 n needs about 7 n^2, a ball that fills the box
+ * 20 n^2. Also rejects a box whose nodes would need minutes to sample, as with a stray particle far
+ * from all other particles. */
 void CheckSize(const LatticeBox& box, std::size_t maximum)
 {
   constexpr double nodesPerActiveVoxel = 40.0;

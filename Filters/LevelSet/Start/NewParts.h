@@ -34,7 +34,8 @@ public:
    */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
 
-  /** Number of parts, connected along edges. A part without a node is not counted. */
+  /** Number of new parts and voids: sets of nodes connected along edges. A part between the nodes
+   * is not counted. */
   std::size_t Count() const;
 
 private:
@@ -45,8 +46,8 @@ private:
   void RemoveNarrowHollows(int steps);
   bool IsWide(const openvdb::Coord& node, int steps) const;
 
-  LeafSigns Nodes;               // differing nodes; in the end only those of the parts
-  std::vector<LeafMask> Inside;  // inside the skin
+  LeafSigns Nodes;               // differing nodes; finally only those of new parts
+  std::vector<LeafMask> Inside;  // nodes inside the skin
   std::vector<LeafMask> Reached; // differing nodes that the skin reaches
 };
 

@@ -18,7 +18,8 @@ namespace activesurface
 class PartBand
 {
 public:
-  /** inside: nodes inside the shapes; all other nodes are outside. All magnitudes of u are Far. */
+  /** inside: nodes inside the shapes; all other nodes are outside. Sets all magnitudes of u to Far.
+   */
   explicit PartBand(const LeafSigns& inside);
 
   std::size_t CountActive() const;

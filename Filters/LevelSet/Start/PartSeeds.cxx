@@ -169,7 +169,8 @@ void PartSeeds::AddPart(const TargetPart& part)
   }
 }
 
-/** Returns the nodes at which the target now has the part, if the part is wide around the node. */
+/** Returns those of `nodes` that are in a part of the target, or in a hollow if areHollow, and
+ * around which this part or hollow is wide (IsWide). */
 PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) const
 {
   std::vector<double> values;

@@ -24,7 +24,7 @@ struct PartSearch
   double VoxelSize;
   const LatticeFunction& Target;
   std::size_t MaximumNumberOfActiveVoxels;
-  double LeastRadius; //< of voids and parts of shapes that survive Tension [length]
+  double LeastRadius; //< of a void, or part of a shape, that survives Tension [length]
 
   /** Returns LeastRadius in voxels, at least 1. */
   int GetLeastSteps() const;

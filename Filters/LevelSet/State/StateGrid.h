@@ -25,7 +25,7 @@ struct StateNumbers
   double StartVolume = 0.0;
   double BoxSize = 1.0;
   bool Paper = false;
-  bool HasGhosts = true;  //< false: the node scheme has set all nodes of the layers
+  bool HasGhosts = true;  //< false: all layers have values of the node scheme
   float Background = 0.f; //< not stored: it follows from Paper
 };
 

@@ -116,8 +116,8 @@ double Sum(const std::vector<double>& volumes)
 }
 
 /** Returns true if the remaining bodies have gained at least half of the volume of the missing
- * bodies. The smallest bodies before are assumed to be missing. The family must have fewer bodies
- * after than before. */
+ * bodies. The smallest bodies of Before are assumed to be missing. After must have fewer bodies
+ * than Before. */
 bool HasMerged(Family family)
 {
   std::sort(family.Before.begin(), family.Before.end());
