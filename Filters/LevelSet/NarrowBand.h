@@ -107,7 +107,7 @@ public:
 
   /**
    * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
-   * would have more active nodes, or if the bounds are too large for the limit. Advance throws
+   * would have more active nodes, or if Start would sample too many nodes. Advance throws
    * after a substep in which the band exceeds the limit, and before any further substep while the
    * band exceeds it.
    */

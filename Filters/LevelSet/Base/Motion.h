@@ -151,7 +151,8 @@ struct SteadyStateCriterion
   /** Largest normal speed of a steady surface at the sample points [voxels/time]. If the tolerance
    * is not 0, a surface that only oscillates is steady too; see Displacement.h. */
   double Tolerance = 1e-3;
-  /** A sample point counts as moved in a window of substeps if it moves farther [voxels]. */
+  /** A sample point that moves farther than this in a window of substeps counts as moved [voxels].
+   */
   static constexpr double Still = .02;
   /** Largest fraction of moved sample points in a steady state. */
   static constexpr double FewMoving = .05;

@@ -40,8 +40,7 @@ struct GradientCounts
   std::size_t Steep = 0;  //< norm above sqrt 2, in active leaves
   bool Unbounded = false; //< Next is not finite or reaches UnboundedPotential
 
-  /** Returns a factor for the potential: 2 if most nodes are Flat, 0.5 if most are Steep, else 1.
-   */
+  /** Factor of the potential: 2 if most nodes are Flat, 0.5 if most nodes are Steep, else 1. */
   float GetScale() const
   {
     return 2 * this->Flat > this->Nodes ? 2.f : 2 * this->Steep > this->Nodes ? .5f : 1.f;

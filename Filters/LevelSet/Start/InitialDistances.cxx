@@ -204,7 +204,7 @@ public:
   {
     openvdb::FloatTree& function = this->Function->tree();
     openvdb::tools::signedFloodFillWithValues(function, Far, -Far);
-    // If nodes are inside only by rounding, the function's values are used as distances.
+    // Without a node clearly inside, the function's own values replace the swept distances.
     this->Distances = HasInside(function, LargestOf(function))
       ? openvdb::tools::sdfToSdf(*this->Function, 0.f, 1)
       : this->Function->deepCopy();

@@ -34,8 +34,8 @@ public:
    */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
 
-  /** Number of new parts and voids: sets of nodes connected along edges. A part between the nodes
-   * is not counted. */
+  /** Number of new parts and voids: sets of nodes connected along edges. A part that contains no
+   * node is not counted. */
   std::size_t Count() const;
 
 private:
