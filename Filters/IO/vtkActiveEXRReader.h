@@ -35,8 +35,8 @@
  * - A request for a time between two steps returns the earlier step.
  *
  * @par Properties and classes of VTK
- * - Other properties of vtkImageReader2 have no effect, except DataSpacing, DataOrigin and
- *   MemoryBuffer.
+ * - Of vtkImageReader2, only the properties FileName, FileNames, DataSpacing, DataOrigin and
+ *   MemoryBuffer have an effect.
  * - vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
  *   calls.
  *

@@ -30,8 +30,8 @@
  *   value. NaN and infinity are accepted.
  * - Colors in EXR files are linear. The colors of a render window are encoded for a display: set
  *   ColorEncoding to SRGB for them.
- * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
- *   vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
+ * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture. For float and
+ *   unsigned int arrays, vtkActiveEXRReader returns the same bytes.
  *
  * @par Series
  * - FileName may contain a run of #, or \%d or \%04d, which FrameNumber replaces. FilePrefix and
@@ -57,7 +57,7 @@
 #include "vtkActiveIOModule.h" // for the export macro
 #include "vtkImageWriter.h"
 
-#include <memory> // for what it holds
+#include <memory> // for the settings
 #include <string> // for sentences
 
 class vtkMatrix4x4;

@@ -18,8 +18,8 @@
  *   empty.
  *
  * @par Reading
- * - Only the chosen grids are read. If Region is a box and the file allows it, only the leaves that
- *   meet the box are read.
+ * - Only the chosen grids are read. If Region is a box and the file has the sizes of its leaves,
+ *   only leaves that meet the box are read.
  * - Several files are a series of time steps. The times are the metadata "time" of the files, or 0,
  *   1, 2... if a file has no time or the times do not increase. A request for a time between two
  *   steps returns the earlier step.
@@ -142,10 +142,10 @@ public:
   /**
    * Grids of the file, or of that file of a series that was read last; available after
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
-   * vec3s, vec3d, vec3i, points), or the type of a tree whose values are unknown. Half floats have
-   * the type "float" and HalfFloat set. The class is "level set", "fog volume", "staggered vector
-   * field" or "unknown". Bounds are those of the active voxels in index coordinates. An index out
-   * of range returns null, 0 or an empty result.
+   * vec3s, vec3d, vec3i, points), or the tree's type if the value type is unknown. Half floats have
+   * the type "float", and GetGridIsHalfFloat() is true. The class is "level set", "fog volume",
+   * "staggered vector field" or "unknown". GetGridBox() returns the box of the active voxels in
+   * index coordinates. An index out of range returns an empty text, 0, false or an empty box.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();

@@ -3,8 +3,8 @@
  * @brief   writes an active surface, a closed mesh or an image as narrow-band .vdb files
  *
  * @par Input
- * - Output port 0 or 1 of a vtkActiveImplicitSurface. Its own grid is written, without a dense
- *   image.
+ * - Output port 0 or 1 of a vtkActiveImplicitSurface. The surface's own grid is written, without a
+ *   dense image.
  * - Any closed vtkPolyData: each edge belongs to an even number of polygons; its points have to
  *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
  * - Any vtkImageData.
@@ -111,8 +111,8 @@ public:
   /**
    * Adds a grid, named after the array, for each point array of one or three components. The grids
    * of a surface have values near the skin: those of the skin's nearest point, or integers of the
-   * nearest corner of a triangle. The grids of an image have all its values. Other arrays are an
-   * error. Default: off.
+   * nearest corner of a triangle. The grids of an image have all its values. Arrays of another
+   * number of components are an error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);

@@ -15,14 +15,14 @@ enum class ParticleModel
   Anisotropic // Yu and Turk 2013, see ParticleNodes.h
 };
 
-// Default support radius over the spacing of the particles.
+// Default support radius, divided by the spacing of the particles.
 inline double GetReachPerSpacing(ParticleModel model)
 {
   return model == ParticleModel::Anisotropic ? 2.25 : 2.0;
 }
 
-// Radius of the neighbourhood that a fit uses [support radii]: 7.25 own radii at usual proportions.
-// Larger values give flatter surfaces and cost more.
+// Radius of the neighbourhood that a fit uses [support radii]: 7.25 own radii with the default
+// support radius. Larger values give flatter surfaces and cost more.
 inline double GetNeighbourhoodPerRadius(ParticleModel model)
 {
   return 7.25 / (2.0 * GetReachPerSpacing(model));

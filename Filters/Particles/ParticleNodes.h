@@ -2,8 +2,8 @@
 //
 // The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. The skin
 // of a body is near the ends of the kernels' supports, where S grows with the fifth power of the
-// depth. At the skin of an isolated particle, S grows with the third power. The fourth root is
-// nearly linear in both cases.
+// depth below these ends. At the skin of an isolated particle, S grows with the third power. The
+// fourth root is nearly linear in both cases.
 //
 // Lengths are in voxels. Positions are relative to their block or leaf, so that single precision
 // suffices anywhere.

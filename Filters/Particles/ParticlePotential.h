@@ -34,8 +34,8 @@ public:
   // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false without an ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
-  // For a particle at the edge of a body, finds the vector away from its neighbours, as long as the
-  // spacing. Returns false for other particles.
+  // For a particle at the edge of a body, finds the vector away from its neighbours, one spacing
+  // long. Returns false for other particles.
   bool FindOutward(std::size_t particle, double (&outward)[3]) const;
 
   // Finds the bounding box of all ellipsoids; returns false if there are none.

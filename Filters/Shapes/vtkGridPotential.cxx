@@ -37,12 +37,13 @@ namespace
 
 // Finds the fraction of a surface that belongs to sheets, rods and crumbs thinner than a length.
 //
-// The body is thin at a surface point if the function is positive on both sides along the normal,
-// within that length. One of these points is outside near the surface point, the other point behind
-// the opposite side of the body. The test needs neither distances, nor voxels that resolve the
-// part, nor oriented normals. The function has to rise along the normal to within 45 degrees, so
-// that the opposite side faces the point. Edges of a cube, or of any wedge of more than 45 degrees,
-// are therefore not thin: the lattice rounds these edges off, but does not lose them.
+// The body is thin at a surface point if, within that length, the function is positive at two
+// points of the normal's line, one on either side. One of the two points is outside near the
+// surface point, the other behind the opposite side of the body. The test needs neither distances,
+// nor voxels that resolve the part, nor oriented normals. The function has to rise along the normal
+// to within 45 degrees, so that the opposite side faces the point. Edges of a cube, or of any wedge
+// of more than 45 degrees, are therefore not thin: the lattice rounds these edges off, but does not
+// lose them.
 
 // Equidistant points along a normal.
 struct RayPoints

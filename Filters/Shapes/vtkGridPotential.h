@@ -29,14 +29,14 @@
  * - A mesh that is not closed becomes a shell if MeshThickness > 0: F is the unsigned distance -
  *   MeshThickness / 2. Otherwise the mesh is treated as a solid: points whose generalized winding
  *   number exceeds 1/2 are inside. A cap from rim to rim then closes each hole.
- * - A sheet has no inside. The inside is undefined if neighbouring polygons are turned to different
- *   sides.
+ * - Treated as a solid, a sheet has no inside. The inside is undefined if neighbouring polygons are
+ *   turned to different sides.
  *
  * @par Errors
  * - Bad input is an error, issued once when the input is read and returned by GetError(). F is then
  *   1 everywhere (outside) with gradient 0, as without input.
  * - Unusable inputs: other classes of data, flat images (of one pixel along an axis), arrays that
- *   are missing or of several components, axes that are not orthogonal, meshes without polygons,
+ *   are missing or have several components, axes that are not orthogonal, meshes without polygons,
  *   and lattices that are too large.
  * - F and its gradient are NaN if x is not finite.
  *
@@ -181,8 +181,8 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if anything has changed since the last reading. All methods do so, except
-   * EvaluateBatch.
+   * Read the input if anything has changed since the last reading. Call Build before EvaluateBatch;
+   * the other evaluations call Build themselves.
    */
   void Build();
 
@@ -215,9 +215,9 @@ public:
   VTK_WRAPEXCLUDE void SetSamples(std::shared_ptr<const activesurface::GridSamples> samples);
 
   /**
-   * Fraction of the surface's area, 0 to 1, of parts thinner than a length, from some thousand
-   * points of the surface. Returns 0 if the fraction is unavailable: without input, for an open
-   * mesh without a shell, and for a level set that an image carries. Reads the input.
+   * Fraction of the surface's area, 0 to 1, that belongs to parts thinner than `thickness`, from
+   * some thousand points of the surface. Returns 0 if the fraction is unavailable: without input,
+   * for an open mesh without a shell, and for a level set that an image carries. Reads the input.
    */
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 

@@ -216,8 +216,8 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if anything has changed since the last reading. All methods do so, except
-   * EvaluateBatch.
+   * Read the input if anything has changed since the last reading. Call Build before EvaluateBatch;
+   * the other evaluations call Build themselves.
    */
   void Build();
 

@@ -14,7 +14,7 @@
  *
  * F is the target's value or distance, reduced within TargetNoise. kappa is the sum of the
  * principal curvatures, n the outward normal, v the velocity of the target's particles. A and V are
- * the skin's area and volume; these terms belong to AreaControl and VolumeControl PENALTY.
+ * the skin's area and volume; their terms need AreaControl and VolumeControl PENALTY.
  *
  * A change of a property restarts the motion, except where its comment says otherwise. -1 is the
  * automatic value of some properties; Get...InUse returns the value that was found.
@@ -24,9 +24,9 @@
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
  *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r (half
  *   of the spacing) and kernel radius, and an automatic VoxelSize (r) and TargetReach (6 r).
- * - Table of particles: a vtkTable with columns x, y, z (Points:0 ..., pos_x ...), and of arrays.
+ * - Table: a vtkTable of particles. Columns x, y, z (or Points:0 ...) are positions, others arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
- *   block, with the arrays that all blocks have. A single block with points may be of any kind.
+ *   block, with arrays common to all. If only one block has points, it may be any input listed.
  * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
  *   the distance to the mesh, from a vtkGridPotential.
@@ -47,12 +47,12 @@
  *   | 5     | length/time | particles' velocities  | displacements  |
  *
  * @par Target with time steps, all of one kind
- * - Particles move in straight lines from step to step. Ids match the particles of two steps, equal
- *   ids in order of position. Without ids, indices match them if both steps have equally many
- *   particles in the same order; else none match. A particle missing in the next step fades out:
- *   its strength falls linearly to 0. A new particle fades in.
+ * - Particles move in straight lines from step to step. Ids match the particles of two steps;
+ *   particles of equal ids are matched in order of position. Without ids, indices match if both
+ *   steps have equally many particles in the same order; else no particles match. A particle
+ *   missing in the next step fades out: its strength falls linearly to 0. A new particle fades in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
- *   interval. Parts that do not overlap shrink and grow (with CreateParts; skeletons vanish).
+ *   interval. A part of only one shape shrinks, or grows with CreateParts; skeleton parts vanish.
  * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
  *
  * @par Output 0: skin, a closed vtkPolyData of outward triangles
@@ -85,10 +85,10 @@
  *   | Event               |               | changes, joined by ", "   |
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
- *   count if outside by more than their own radius. Other targets are measured by volume in their
- *   box (functions: in ModelBounds): the inside that is outside the skin by more than a voxel. A
- *   value of 1 % is accurate to 0.16 %. Points beyond walls are ignored. Values above 1 % cause one
- *   warning, unless they fall from step to step.
+ *   count if outside by more than their own radius. Other targets count by volume in their box
+ *   (functions: in ModelBounds): the points inside the target that are more than a voxel outside
+ *   the skin. A volume of 1 % has a standard error of 0.16 %. Points beyond walls are ignored.
+ *   Values above 1 % cause one warning, unless they fall from step to step.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -99,18 +99,18 @@
  * - The surface starts at the first time step. A later time continues from the current state, and
  *   reads the input once for each step in between. A repeated time costs nothing. An earlier time
  *   continues from the nearest checkpoint before it (CheckpointInterval).
- * - The skin between two steps is a branch from the earlier step. A time before the first step,
+ * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
  * - The motion restarts when the target, the initial shape or a property of the motion changes, and
  *   when data without time steps replace other data. In situ, if the input's list of time steps
  *   grows, the motion continues, and only the new steps are read.
- * - If no time can be requested twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the
- *   requested times. Advance adds single frames.
+ * - If the input provides each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are
+ *   the requested times. Advance adds single frames.
  *
  * @par Reproducibility
  * - The result is bitwise identical for the same time, inputs and properties, for any order of
  *   requests and any number of threads and ranks.
- * - Of several pieces, piece 0 has the whole skin and history; the image is split.
+ * - On one process, piece 0 of several pieces has the whole skin and history; the image is split.
  *
  * @par Errors
  * - Errors empty the outputs. The next update continues from the last finished substep.
@@ -167,8 +167,8 @@ public:
   ///@{
   /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
    * wall (its inside with the sign inverted, as by a vtkImplicitBoolean). The skin ends on the
-   * obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice nodes, as
-   * F / |grad F|, where the skin comes within 8 voxels. Obstacles thinner than two voxels leak. A
+   * obstacle, closed, whatever moves the skin. F / |grad F| of the obstacle is sampled once at each
+   * lattice node that comes within 8 voxels of the skin. Obstacles thinner than two voxels leak. A
    * change of the obstacle or of its transform restarts the motion. A saved state does not contain
    * the obstacle: set it again. Threads as for TargetFunction. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
@@ -176,8 +176,8 @@ public:
   ///@}
 
   ///@{
-  /** Level of the target that attracts the skin [unit of the target's values]; also of images at
-   * port 1. Range: finite. Default: 0. At 0, masks (two values, none negative) and fractions of
+  /** Level of the target that attracts the skin [unit of the target's values], and level of images
+   * at port 1. Range: finite. Default: 0. At 0, masks (two values, none negative) and fractions of
    * volume (0 to 1, most of them 0 or 1) use the middle of their values, with the inside above. */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
@@ -239,10 +239,10 @@ public:
   ///@{
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
-   * nearest, reported by a warning; with KernelRadius or an array of radii, the spacing that fits
-   * these. The estimate is the least of the first, middle and last time step, all read when the
-   * skin starts. Steps with less than a tenth of the largest number of particles are ignored. If
-   * the input cannot go back in time, only the first particles count. Default: -1. */
+   * nearest, with an array of radii at most the median diameter. Without KernelRadius and radii, a
+   * warning reports it. The estimate is the least of the first, middle and last time step, all read
+   * when the skin starts. Steps with less than a tenth of the largest number of particles are
+   * ignored. If the input cannot go back in time, only the first step counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -307,7 +307,7 @@ public:
    * at multiples of VoxelSize. Half the size needs 4 times the memory and 8 times the time, with
    * Tension 16 times. Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over
    * particles (with SUM or ModelBounds only if the spacing is set), else a 64th of the bounds'
-   * longest side, over images a pixel if that is smaller, but at least a 1000th. Default: -1. */
+   * longest side; over images a pixel if smaller, down to a 1000th of that side. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
@@ -316,16 +316,16 @@ public:
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, at
    * each lattice node, and which the potential's image covers. The skin may leave the box later.
    * Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box
-   * of the first target and the initial shape (of inputs, vtkSkeletonPotential, vtkGridPotential),
-   * enlarged by an eighth of its longest side, with images by two voxels. */
+   * of the first target and the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential),
+   * enlarged at each end by an eighth of its longest side, with images by two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
 
   ///@{
   /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, where the
-   * skin is closed. Over particles, except in explicit substeps, a skin within r of a face rests on
-   * it, flat. Range: on or off. Default: off. */
+   * skin is closed. Over particles, except in explicit substeps, a skin within r of a face lies
+   * flat on the face. Range: on or off. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
@@ -337,7 +337,7 @@ public:
   /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
    * target. Range: >= 0, or -1, automatic: 6 divided by the interval from an input step to the
-   * next, which leaves 1/400 of a distance; 1 if the input is static, with EQUILIBRIUM and
+   * next, which leaves 1/400 of a distance; 1 if the input is static, or with EQUILIBRIUM or
    * PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
@@ -352,17 +352,17 @@ public:
    * factor is about 2.4, not 2.83; over a vtkSphere, whose F is r^2 - R^2, the radius is sqrt(R^2 -
    * 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
    * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r, Attraction * p^2 /
-   * 5 over masks of pixels p; else 0, as with TensionWeighting off over particles, SUM,
-   * PaperScheme, explicit substeps (see TimeIntegration). Default: -1. */
+   * 5 over masks of pixels p; else 0; also 0 over particles with TensionWeighting off, SUM,
+   * PaperScheme or explicit substeps (see TimeIntegration). Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
 
   ///@{
   /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
-   * particle or a thread of few: drops keep their size. The weight depends on neighbours within 3.6
-   * spacings: a third with half of a body's neighbours, 1 with three quarters of them. No effect on
-   * other targets, in explicit substeps and with PaperScheme. Default: on. */
+   * particle or a thread of few particles: drops keep their size. The weight depends on neighbours
+   * within 3.6 spacings: a third with half of a body's neighbours, 1 with three quarters of them.
+   * No effect on other targets, in explicit substeps and with PaperScheme. Default: on. */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
   vtkBooleanMacro(TensionWeighting, vtkTypeBool);
@@ -376,7 +376,7 @@ public:
    * threads are not affected. The skin of a fluid in a steady state is therefore smooth, does not
    * move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to
    * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, half a pixel over masks (bound of
-   * the smoothing); else 0, as with SUM, PaperScheme, explicit substeps. Default: -1. */
+   * the smoothing); else 0; also 0 with SUM, PaperScheme or explicit substeps. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -392,8 +392,8 @@ public:
 
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
-   * between disjoint shapes. A part appears with its size in that substep. Voids that only the
-   * target has, deep inside the skin, are created, too. Over a mesh, an image or a
+   * between disjoint shapes. A part appears in the size that it has at that substep. Voids that
+   * only the target has, deep inside the skin, are created, too. Over a mesh, an image or a
    * vtkGridPotential, such a part is a connected part or void that the skin does not meet; over
    * particles, a part that the skin does not reach by itself. Parts that Tension would remove are
    * not created. Off: a skin only appears where the previous skin has been. No effect on skeletons,
@@ -411,9 +411,9 @@ public:
 
   ///@{
   /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
-   * steps. EQUILIBRIUM (1): there are no time steps; each update moves the skin to a steady state
-   * on the first step's target. RestTolerance or MaximumNumberOfSubsteps ends the motion. The
-   * history records which, and a warning reports MaximumNumberOfSubsteps. Default: TRANSIENT. */
+   * steps. EQUILIBRIUM (1): no time steps are published; each update moves the skin to a steady
+   * state on the first step's target. RestTolerance or MaximumNumberOfSubsteps ends the motion. The
+   * history records which, and MaximumNumberOfSubsteps causes a warning. Default: TRANSIENT. */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
   vtkGetMacro(EvolutionMode, int);
   void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
@@ -442,9 +442,9 @@ public:
 
   ///@{
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
-   * over particles and masks one step for each time step, else EXPLICIT. It carries the skin,
-   * evaluates the target once, at lattice nodes near the target's surface, and relaxes the skin
-   * towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
+   * over particles and masks one step for each time step, else EXPLICIT. That step carries the
+   * skin, evaluates the target once, at lattice nodes near the target's surface, and relaxes the
+   * skin towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
    * EXPLICIT also with EQUILIBRIUM or PaperScheme, and, with a warning if they move, with:
    * Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other
    * than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation or
@@ -498,9 +498,9 @@ public:
 
   ///@{
   /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
-   * is clamped to +-3 voxels. F is the mean at a node's crossings (or by TargetEvaluation), F at
-   * other nodes. Differences are central; time steps are by eq. (6) and (7) in a box of unit size.
-   * Default: off. */
+   * is clamped to +-3 voxels. The target at a node is the mean of F at the node's crossings (or by
+   * TargetEvaluation); other nodes use F at the node. Differences are central; time steps are by
+   * eq. (6) and (7) in a box of unit size. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -544,9 +544,9 @@ public:
 
   ///@{
   /** Control of the area of the skin (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
-   * with VolumeControl. With PENALTY, the same ball loses e with e (1 - e)^(1/2) = 2 Tension /
-   * (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196 Tension. Not EXACT together
-   * with VolumeControl EXACT: one displacement cannot restore both. Default: NONE. */
+   * with VolumeControl. With PENALTY, such a ball loses a fraction e, with e (1 - e)^(1/2) = 2
+   * Tension / (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196 Tension. EXACT is an
+   * error with VolumeControl EXACT: one displacement cannot restore both. Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }
@@ -580,7 +580,7 @@ public:
   /** Time at which the skin coincides with a static target [pipeline time after the first time
    * step], to 0.1 voxel if F is a distance near the target. Each point moves at constant speed;
    * thin limbs grow along their length. Parts only in the target grow from a core (with
-   * CreateParts); parts only in the start shrink. Later, Attraction keeps the skin on the target.
+   * CreateParts); parts only in the initial shape shrink. Later, Attraction keeps the skin there.
    * Ignored with EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: no arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
@@ -641,9 +641,9 @@ public:
   /** Largest length [length/time] of the vectors of "Velocity". Longer vectors lose part of their
    * normal component. Skin that catches up, as where parts merge, moves at up to Attraction *
    * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle from the
-   * previous step to this one (at the first step, to the next): displacement and change of radius
-   * over time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no
-   * limit if no particle moves, or for other targets. Does not restart the motion. Default: 0. */
+   * previous step to this one (at the first step, to the next): (displacement + change of radius) /
+   * time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no limit if
+   * no particle moves, or for other targets. Does not restart the motion. Default: 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
@@ -660,10 +660,10 @@ public:
   ///@{
   /** Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
    * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
-   * Others, such as ids and names, come from the particle of the largest weight. Points outside all
-   * kernels use the nearest particle. Values are linear between two steps. Omitted are ghost
-   * levels, and arrays that have a name of the skin's own arrays, lack a value for a point, or
-   * differ in type between steps. Does not restart the motion. Default: off. */
+   * Other arrays, such as ids and names, have the value of the particle of the largest weight.
+   * Points outside all kernels use the nearest particle. Values are linear between two steps.
+   * Omitted are ghost levels, and arrays that have a name of the skin's own arrays, lack a value
+   * for a point, or differ in type between steps. Does not restart the motion. Default: off. */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);
   vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
@@ -682,15 +682,15 @@ public:
 
   ///@{
   /** Interval of stored states, in time steps. A request for an earlier time recomputes at most
-   * this number of steps, unless CheckpointMemory removes states. 0 stores none: the motion starts
-   * over. Does not restart the motion. Range: >= 0. Default: 1. */
+   * this number of steps, unless CheckpointMemory removes states. 0 stores none: such a request
+   * restarts the motion. Does not restart the motion. Range: >= 0. Default: 1. */
   vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointInterval, int);
   ///@}
 
   ///@{
-  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, states are
-   * removed so that gaps stay smallest. Does not restart the motion. Range: >= 0. Default: 256. */
+  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, the state leaving
+   * the smallest gap is removed. Does not restart the motion. Range: >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}
@@ -712,8 +712,8 @@ public:
 
   ///@{
   /** Ranks that compute one skin, and update, save and load together. Each rank provides a piece of
-   * the inputs and outputs a part of the skin. Another controller of a single process does not
-   * restart the motion. Default: VTK's global controller. */
+   * the inputs and outputs a part of the skin. A change restarts the motion only if several ranks
+   * computed the skin before, or will. Default: VTK's global controller. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
@@ -733,10 +733,10 @@ public:
   /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
    * last one. The result is bitwise identical to that of the complete series. The frame becomes the
    * input of port 0, and may be the same object with new contents. The first frame is at StartTime,
-   * or at the time of a loaded state, whatever its dt. GetOutput() is at the newest frame, whatever
-   * time is requested. A property that restarts the motion restarts it at that frame. Velocities do
-   * not use the next frame. Returns false, with an error, if there is no skin. A rejected frame
-   * changes nothing. If the motion to a frame stops before its end (abort,
+   * or at the time of a loaded state; its dt is ignored. GetOutput() is at the newest frame,
+   * whatever time is requested. A change of a property that restarts the motion does so at that
+   * frame. Velocities do not use the next frame. Returns false, with an error, if there is no skin.
+   * A rejected frame changes nothing. If the motion to a frame stops before its end (abort,
    * MaximumNumberOfActiveVoxels), the frame is kept: Update() or the next frame resumes. Range of
    * dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
@@ -744,7 +744,7 @@ public:
   /** Restarts the motion at the next update, or at StartTime by Advance. Drops a loaded state. */
   void ResetTrajectory();
 
-  /** Sets PaperScheme, EXPLICIT, SHIFTED, CENTRAL, NormalizeTarget off, SUM, as in the paper. */
+  /** Turns PaperScheme on, NormalizeTarget off; sets EXPLICIT, SHIFTED, CENTRAL, SUM (paper). */
   void PaperFaithful();
 
   ///@{
@@ -775,8 +775,8 @@ public:
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. Its values are trilinear, with the correct sign everywhere. Within about 1.5 voxels of
-   * the skin they are first-order distances [length]; they are clamped to +-3 voxels. The object is
+   * time. Its values are trilinear, with the correct sign everywhere. The values are first-order
+   * distances [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
    * always the same, with the new skin after each update. Before the first update and after an
    * error all space is outside. Each update restarts a surface that has this object as
    * TargetFunction: to follow a moving skin, connect the output port instead. */

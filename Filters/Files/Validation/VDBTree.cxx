@@ -34,7 +34,8 @@ int CountBitsOf(const std::uint64_t* words, int count)
 constexpr int Log2Width[] = { 3, 4, 5 };
 constexpr int Log2Reach[] = { 3, 7, 12 };
 
-/** Calls visit(origin) for each entry, with its bit set, of a node of this level at this origin. */
+/** Calls visit(origin) for each of a node's entries whose bit is set. level, origin: of the
+ * node. */
 template <class Visitor>
 void ForEachEntry(
   int level, const openvdb::Coord& origin, const std::vector<std::uint64_t>& bits, Visitor&& visit)

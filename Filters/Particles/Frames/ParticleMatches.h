@@ -30,8 +30,8 @@ struct ParticleMatches
 {
   // Index of the partner in the later step for each earlier particle, or NoPartner.
   std::vector<std::size_t> Partners;
-  std::vector<std::size_t> Deaths; // indices without a partner in the earlier step, ascending
-  std::vector<std::size_t> Births; // indices without a partner in the later step, ascending
+  std::vector<std::size_t> Deaths; // earlier particles without a partner, ascending
+  std::vector<std::size_t> Births; // later particles without a partner, ascending
   bool AreShuffled = false;        // equal indices are different particles
 };
 
@@ -54,7 +54,7 @@ struct NumberedDisplacement
   double Displacement[3];
 };
 
-// Returns the displacements of partners, at most about 1,000, evenly selected by index.
+// Returns the displacements of matched particles: at most about 1,000, evenly selected by index.
 VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);

@@ -38,7 +38,7 @@ constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
 
-// A centre moves by this fraction of the distance to the mean of its neighbours.
+// Displacement of an ellipsoid's centre, divided by the distance to the mean of the neighbours.
 constexpr float ShareOfMean = .9f;
 
 // Shortest half-axis / middle half-axis: 0 in a sheet of one layer, about 1 in a body. Longest

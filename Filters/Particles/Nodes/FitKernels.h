@@ -113,7 +113,7 @@ void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
 struct ShareColumns
 {
   const float* InverseWide2;
-  const float* Share; // times the strength
+  const float* Share; // multiplied by the strength
   const float* Lack;
 };
 void SumShares(const FitGroup& group, const FitNeighbours& neighbours, const ShareColumns& columns,

@@ -79,8 +79,8 @@ bool NodeFits::HasTooManyNeighbours() const
   return neighbours > MostNeighbours * ParticlesOfSample;
 }
 
-// Visits groups of up to eight particles. Each parallel task handles the parts of one block with
-// one x.
+// Visits groups of up to eight particles. Each parallel task handles those parts of a block that
+// have the same x.
 template <class IsWanted, class Visit>
 void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
 {

@@ -78,7 +78,8 @@ void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
   this->Inward = this->CountOutward(0.0);
 }
 
-// Finds the block of a particle, and the range of blocks that a mask may touch from it.
+// Finds the block of a particle, and the range of blocks that the particle's cells, enlarged by the
+// margin, may touch.
 ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
 {
   CubePlace found;

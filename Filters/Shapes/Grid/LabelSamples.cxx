@@ -23,7 +23,8 @@ namespace activesurface
 namespace
 {
 
-// Pixels around the label; farther points are as far as the last of these pixels.
+// Width of the margin around the label [pixels]. Points beyond the margin have its largest
+// distance.
 constexpr int LabelMargin = 4;
 
 using Box = std::array<int, 6>;
@@ -94,7 +95,7 @@ private:
   }
 };
 
-// Writes the distances in pixels of the marked pixels to the other ones, less half a pixel.
+// For each marked pixel, writes its distance to the nearest unmarked pixel, minus 1/2 [pixels].
 void WriteDistances(
   const Box& box, const std::vector<unsigned char>& marks, double sign, float* distances)
 {

@@ -1,9 +1,9 @@
 // Distances to the surface of a label, the region of an image with one of its two values.
 //
-// The distance is exact at the pixels, trilinear in between, and measured in pixels along each
-// axis: a surface between -1/2 and 1/2 stays within half a pixel of the label's surface along each
-// axis, in that axis' own size. The label's surface are the outer faces of its pixels; pixels
-// beyond the image count as outside.
+// The distance is exact at the pixels, trilinear in between, and measured in pixels, as if all
+// pixels were cubes of side 1. A skin where the distance is between -1/2 and 1/2 is within half a
+// pixel of the label's surface along each axis. The label's surface consists of the outer faces of
+// its pixels; pixels beyond the image are outside.
 
 #ifndef LabelSamples_h
 #define LabelSamples_h
@@ -27,7 +27,7 @@ struct LabelFacts
 };
 
 // Returns the distances for the pixels whose active scalar is above the level, and sets the facts.
-// Returns null if there are none. Throws std::invalid_argument like ImageSamples.
+// Returns null if no pixel is above. Throws std::invalid_argument like ImageSamples.
 VTKACTIVESHAPES_EXPORT std::shared_ptr<const GridSamples> MakeLabelSamples(
   vtkImageData* image, double level, LabelFacts& facts);
 

@@ -119,8 +119,8 @@ bool MotionDriver::StaysOnNodes() const
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
-// Returns a given Tension over the attraction of the first time step. The attraction may be unknown
-// yet; the result is then 0.
+// Returns a given Tension divided by the attraction of the first time step; 0 if that attraction is
+// unknown yet.
 double MotionDriver::FindTensionAtStart(const Motion& motion) const
 {
   if (!this->Settings.HasAutomaticAttraction())

@@ -209,7 +209,7 @@ ImageShape::ImageShape(const InputData& input)
 }
 
 // Makes the function of a mask that is smoothed as a label. Returns false for other images, and for
-// an image without the label: all values equal, not negative.
+// an image without a label, whose values are equal and not negative.
 bool ImageShape::PrepareLabel(vtkDataArray* values, const TargetOptions& options)
 {
   if (!options.SmoothsLabels || options.IsoValue != 0.0 || options.Invert)

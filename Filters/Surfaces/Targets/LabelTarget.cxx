@@ -20,8 +20,8 @@ namespace
 // Distance [voxels] at which the potential of EvaluateLeaf is 1: more than NodeLimit.
 constexpr double Farthest = 4.0;
 
-// Half of a pixel, as the surface of a label is unknown within its pixels, less the displacement by
-// the conservation of volume and by interpolation between nodes.
+// Automatic freedom [pixels]: less than half a pixel, within which the surface of a label is
+// unknown, because conservation of volume and interpolation between nodes also displace the skin.
 constexpr double UsualFreedom = 0.47;
 
 // Distance in pixels where an image has no label.

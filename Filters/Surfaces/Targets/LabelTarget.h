@@ -1,4 +1,5 @@
-// Images of labels as a target of the node scheme, on which the skin is free within half a pixel.
+// Images of labels as a target of the node scheme. Within half a pixel of a label's surface the
+// skin is not attracted (NodeFreedom).
 
 #ifndef LabelTarget_h
 #define LabelTarget_h
@@ -16,7 +17,8 @@ class LabelTarget
 public:
   using BlendedTarget::BlendedTarget;
 
-  // Half the width of the freedom [pixels along each axis], by TargetNoise.
+  // Returns the distance from a label's surface within which the skin is not attracted [pixels]:
+  // TargetNoise, or almost half a pixel.
   static double FindFreedom(const TargetOptions& options, double leastPixel);
 
   NodeTarget* GetNodes() override { return this; }
