@@ -239,10 +239,10 @@ public:
   ///@{
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
-   * nearest, with an array of radii at most the median diameter. Without KernelRadius and radii, a
-   * warning reports it. The estimate is the least of the first, middle and last time step, all read
-   * when the skin starts. Steps with less than a tenth of the largest number of particles are
-   * ignored. If the input cannot go back in time, only the first step counts. Default: -1. */
+   * nearest, with an array of radii at most the median diameter. A warning reports the spacing if
+   * neither KernelRadius nor radii are given. The estimate is the least of the first, middle and
+   * last time step, all read first. Steps with less than a tenth of the most particles are ignored.
+   * If the input cannot go back in time, only the first step counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -712,8 +712,8 @@ public:
 
   ///@{
   /** Ranks that compute one skin, and update, save and load together. Each rank provides a piece of
-   * the inputs and outputs a part of the skin. A change restarts the motion only if several ranks
-   * computed the skin before, or will. Default: VTK's global controller. */
+   * the inputs and outputs a part of the skin. A change does not restart the motion, unless several
+   * ranks computed the skin before, or will. Default: VTK's global controller. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}

@@ -34,8 +34,7 @@ int CountBitsOf(const std::uint64_t* words, int count)
 constexpr int Log2Width[] = { 3, 4, 5 };
 constexpr int Log2Reach[] = { 3, 7, 12 };
 
-/** Calls visit(origin) for each of a node's entries whose bit is set. level, origin: of the
- * node. */
+/** Calls visit(origin) for each entry of a node whose bit in `bits` is set. */
 template <class Visitor>
 void ForEachEntry(
   int level, const openvdb::Coord& origin, const std::vector<std::uint64_t>& bits, Visitor&& visit)

@@ -140,7 +140,7 @@ public:
   double GetLongestReach() const { return this->LongestReach; }
 
   // Evaluates the sum of the ellipsoids, and its gradient, at the positions of a group, relative to
-  // a block. Thread-safe.
+  // the block `home`. Thread-safe.
   void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
 
   // Finds the box of the ellipsoid of particle k, relative to the block of the particle: xmin xmax

@@ -113,7 +113,7 @@ public:
     std::uint32_t Starts[Parts + 1];
     CellMask Occupied;
     CellMask Open;  // not full
-    CellMask Dense; // particles at twice the usual density
+    CellMask Dense; // at twice the usual density of particles
     CellMask Near;  // kernels from here may touch cells that are not full
   };
 

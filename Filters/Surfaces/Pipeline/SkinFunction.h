@@ -44,7 +44,7 @@ public:
   // everywhere. Positions in the band are relative to `origin`.
   vtkGridPotential* Get(const NarrowBand* band, const std::array<double, 3>& origin);
 
-  // Replaces the skin by a snapshot of this one, if Get has been called before.
+  // Replaces the skin by a snapshot of the skin of `band`, if Get has been called before.
   void Renew(const NarrowBand* band, const std::array<double, 3>& origin);
 
 private:

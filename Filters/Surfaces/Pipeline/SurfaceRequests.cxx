@@ -285,7 +285,7 @@ void SurfaceRequests::PublishTimeOfNothing(
     steps.empty() ? asked : PipelineTime{ FindStep(steps, asked.Value).Time }, isEquilibrium);
 }
 
-// Restarts all ranks if their states differ, as when something changed or failed upstream of one.
+// Restarts all ranks if their states differ, as after a change or a failure upstream of one rank.
 void SurfaceRequests::AgreeOnRequest(
   const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output)
 {

@@ -120,8 +120,9 @@ public:
   const RequestedTime& GetRequestedTime() const { return this->Requested; }
   const RequestedArrays& GetRequestedArrays() const { return this->Arrays; }
 
-  // Returns the step of the next frame that Advance needs, or -1; and the step added last, or 0.
+  // Returns the step of the next frame that Advance needs, or -1.
   int FindMissingStep() const;
+  // Returns the step added last, or 0.
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
   // Returns true if each of several ranks needs only a part of the next frames.

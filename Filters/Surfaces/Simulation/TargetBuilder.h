@@ -42,7 +42,7 @@ public:
 
   void Clear();
 
-  // Limits the voxels of distances to later meshes to ten times this number.
+  // Limits the distance grids of meshes added later to ten times this number of voxels.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
   // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument, and

@@ -47,7 +47,7 @@ public:
     return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
   // Returns the own radius of the particles. No particle fits between a wall and a surface nearer
-  // than this.
+  // to the wall than this radius.
   float GetWallGap() const override
   {
     return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);
