@@ -232,7 +232,7 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
   {
     throw FileError(vtkErrorCode::UserError,
       "DisplaySize " + std::to_string(width) + ", " + std::to_string(height) +
-        " is neither 0, 0 nor from 1 to 16777216.");
+        " has to be 0, 0 or two numbers from 1 to 16777216.");
   }
 }
 

@@ -220,7 +220,7 @@ void vtkGridPotential::ReadSamples()
     own.Error = error.what();
     if (this->ReportErrors)
     {
-      vtkErrorMacro(<< error.what() << " The function is " << Outside << " everywhere, outside.");
+      vtkErrorMacro(<< error.what() << " The function is " << Outside << " (outside) everywhere.");
     }
   }
   if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)

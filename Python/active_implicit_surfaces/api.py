@@ -117,13 +117,13 @@ class frames(Skins):
     minimum_piece : int
         Least number of particles of a cluster; smaller clusters get no skin. Default: 1.
     minimum_volume : float
-        Least volume of a cluster [length^3], spacing^3 per particle. Default: 0.
+        Least volume of a cluster [length^3]; a particle has spacing^3. Default: 0.
     probe : float, optional
         Radius of a probe [length] that rolls over atoms (particles with radii). The skin is the
         solvent-excluded surface, for radius 0 the union of the atoms' balls. Water: 1.4 Angstrom.
         With ``pass_target_arrays=True`` the skin has the arrays of the nearest atom.
     periodic : bool
-        Reads ``periodic_bounds`` from the field data of molecule files: "Lattice" (edges as rows
+        Sets ``periodic_bounds`` to the box in the particles' field data: "Lattice" (edges as rows
         [length]), "Origin" and "pbc". Default: False.
     output_fps : float, optional
         Skins per unit of time [1/time], also between frames. Default: a skin per frame.
@@ -132,7 +132,7 @@ class frames(Skins):
     arrays : dict of str, optional
         Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
         Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower
-        case); none for the others.
+        case); for radii, with `probe` or the preset molecule or grains, the array "radius".
     progress : callable(int, int), optional
         Called after each frame with the numbers of finished frames and of all frames.
     **options

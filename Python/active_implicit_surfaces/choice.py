@@ -98,9 +98,9 @@ def choose(
     position unless arrays have these names. A polygon is selected if all its points meet the
     condition, or by a cell array. Texts are compared as text, numbers as numbers.
 
-    A value that the array does not contain, such as a misspelt name, causes a warning. A condition
-    NAME=VALUE of which no value occurs is an error. If `note` is given, it is called with the
-    message instead of a warning or error.
+    A value that the array does not contain, such as a misspelt name, causes a warning. If the array
+    contains no value of a condition NAME=VALUE, an error is raised. If `note` is given, it is
+    called with the message instead of a warning or error.
 
     A label selects points by the array "label" or "labels". An image is set to 1 at the label and
     0 elsewhere.

@@ -47,7 +47,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
 
 
 def finite_points(cloud: Any) -> Any:
-    """Removes points with coordinates that are not finite, which the filter ignores too."""
+    """Removes points whose coordinates are not finite; the filter ignores such points too."""
     if cloud.GetNumberOfPoints() == 0:
         return cloud
     points = vtk_to_numpy(cloud.GetPoints().GetData())

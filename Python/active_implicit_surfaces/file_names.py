@@ -201,9 +201,9 @@ def read_index(index: Path) -> Listing:
         frames[-1][part] = name
     parts = [tuple(_beside(index, name) for name in frame.values()) for frame in frames]
     note = left_out and (
-        f"{index} lists {len(left_out)} file(s) for times that a later entry has too, as after a "
-        f"restart; the later entries are used, {left_out[0]} is left out. If the files are parts "
-        "of one frame, number the parts with part=."
+        f"{index} lists several files for one time, as after a restart; the last file is used, and "
+        f"{len(left_out)} file(s), such as {left_out[0]}, are left out. If the files are parts of "
+        "one frame, number the parts with part=."
     )
     return Listing(parts, times, note or "")
 
@@ -273,7 +273,7 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
 
 
 def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
-    """Returns the name for a label, which replaces the first #### not needed for frames."""
+    """Returns the name for a label; the label replaces the first #### not needed for frames."""
     path = Path(name)
     marks = list(_NUMBER.finditer(path.name))
     if len(marks) > is_series:

@@ -177,8 +177,8 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
     """Raises OSError unless the accessors of a .glb lie within its bytes, which VTK does not check.
 
-    Returns a flag for files of this package, whose vertices have the data's coordinates; a flag for
-    files with meshes; and the origin of the vertices, None for 0.
+    Returns three values: True for a file of this package, whose vertices have the data's
+    coordinates; True for a file with meshes; the origin of the vertices, None for 0.
     """
     try:
         with path.open("rb") as file:

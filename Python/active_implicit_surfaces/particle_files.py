@@ -157,17 +157,20 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                 _note(
                     noted,
                     path,
-                    f"it has {len(loaders)} frames; in a series only the first one is used.",
+                    f"it has {len(loaders)} frames; a series uses only the first frame of a file.",
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
             _note(
                 noted,
                 parts[0],
-                f"left out: {', '.join(lost)}; not all parts of the frame have such an array.",
+                f"arrays left out: {', '.join(lost)}; some parts of the frame lack these arrays.",
             )
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
-            raise OSError(f"{parts[0]} and the other parts of its frame are images, not particles.")
+            raise OSError(
+                f"{parts[0]} is one of several parts of a frame, and some parts are images; only "
+                "particles can be in several parts."
+            )
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 
     return load

@@ -183,7 +183,7 @@ def capture(
         )
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
-        raise ValueError("The renderer does not fill the window; SetViewport(0, 0, 1, 1).")
+        raise ValueError("The renderer does not fill the window; call SetViewport(0, 0, 1, 1).")
     settings = velocity, frame_duration, camera_after, far, origin or (0.0, 0.0, 0.0)
     if apart is None:
         return _image(window, _layers(window, renderer, *settings))

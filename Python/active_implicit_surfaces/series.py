@@ -87,7 +87,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points, a middle and the last frame, if readable now."""
+        """Returns the first frame with points; the middle and last frames too, if readable now."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
@@ -186,7 +186,7 @@ class ParticleSeries(TemporalSource):
     Raises
     ------
     ValueError
-        Times do not increase or match the frames, times and fps are both given, or no frames.
+        Times do not increase or match the frames; times and fps are both given; no frames.
     OSError
         A file does not exist or cannot be read.
 

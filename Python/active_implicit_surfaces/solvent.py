@@ -56,7 +56,7 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
     balls = numpy.column_stack([numpy.asarray(centers, float).reshape(-1, 3), radii])
     balls = numpy.unique(balls[(radii > 0) & numpy.isfinite(balls).all(axis=1)], axis=0)
     if len(balls) == 0:
-        raise ValueError("No atom has a radius, so a probe touches none; give elements or radii.")
+        raise ValueError("No atom has a radius, so there is no surface; give elements or radii.")
     grid = _Grid(balls[:, :3], balls[:, 3], voxel, probe)
     _check_overlaps(grid.centers, grid.radii, probe)
     grid.add_balls()

@@ -25,7 +25,7 @@ try:
 except ImportError as error:
     raise ImportError(
         "active_implicit_surfaces.render needs vtkValuePass, which the VTK of vtkmodules "
-        "does not have; write pictures as .png, or use the package with Debian's VTK or VTK's own."
+        "does not have; write pictures as .png, or build the package with VTK of Debian or PyPI."
     ) from error
 
 _POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA for vtkValuePass

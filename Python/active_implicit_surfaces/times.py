@@ -46,7 +46,7 @@ def times_between(times: Sequence[float], fps: float) -> list[float]:
 
 
 def rate_of(times: Sequence[float]) -> float:
-    """Returns the frames per second at which a film is as long as its times; 25 if unusual."""
+    """Returns the frames per second at which a film lasts as long as its times; 25 if unusual."""
     if len(times) < 2:
         return FRAMES_PER_SECOND
     rate = (len(times) - 1) / (times[-1] - times[0])

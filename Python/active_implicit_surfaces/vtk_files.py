@@ -48,8 +48,8 @@ _ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # joined with the next line
 
 _NO_POINTS = "No Points element available"
 _ABOUT_APPENDED_DATA = (
-    " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
-    "with SetDataModeToBinary (in ParaView: Data Mode Binary)."
+    " If the file is complete: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; "
+    "write the file with SetDataModeToBinary (in ParaView: Data Mode Binary)."
 )
 
 

@@ -37,7 +37,7 @@ class IndicesOfOthers(ReaderTest):
             f'<DataSet timestep="0" part="{n}" file="{n}.csv"/>' for n in ("fluid", "wall")
         )
         path = self.put("a.pvd", f"<VTKFile>{rows}</VTKFile>")
-        with self.assertWarnsRegex(UserWarning, "left out: T; not all parts of the frame"):
+        with self.assertWarnsRegex(UserWarning, "left out: T; some parts of the frame lack"):
             cloud = open_particles(path).load(0)
         self.assertEqual(array_of(cloud, "id"), [1, 2])
 

@@ -134,7 +134,8 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
     [&selection](const EXRChannel& channel) { return selection.Has(channel.Name); });
   if (channels.empty())
   {
-    throw FileError(vtkErrorCode::UserError, "it has none of the enabled channels; enable others");
+    throw FileError(
+      vtkErrorCode::UserError, "it has none of the enabled channels; enable other channels");
   }
   return GroupChannels(channels);
 }

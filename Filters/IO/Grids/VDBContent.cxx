@@ -41,7 +41,7 @@ void CheckIsClosed(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(
       "The mesh is not closed, so it has no inside: " + std::to_string(mesh.Defects.OddEdges) +
-      " of its edges belong to an odd number of polygons, such as one. Close the mesh by "
+      " edges belong to one polygon, or to another odd number of polygons. Close the mesh by "
       "vtkFillHolesFilter, or make a shell of it by a vtkActiveImplicitSurface with "
       "MeshThickness > 0.");
   }
@@ -254,7 +254,7 @@ void Content::AddImage(vtkImageData* image)
   if (this->Choice.Density || this->Choice.Velocity)
   {
     throw std::invalid_argument("WriteDensity and WriteVelocity need a surface, but the input is "
-                                "an image; turn both off (WritePointArrays writes its arrays).");
+                                "an image; turn both off (WritePointArrays writes the arrays).");
   }
   vtkPointData* arrays = image->GetPointData();
   vtkDataArray* scalars = arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);

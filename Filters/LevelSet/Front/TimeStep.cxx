@@ -114,7 +114,8 @@ void CheckMotion(const Motion& motion)
   Require(IsZeroOrPositive(motion.AreaStiffness) && IsZeroOrPositive(motion.VolumeStiffness),
     "AreaStiffness and VolumeStiffness must be finite numbers >= 0.");
   Require(IsZeroOrPositive(motion.TargetArea) && IsZeroOrPositive(motion.TargetVolume),
-    "TargetArea and TargetVolume must be finite numbers > 0, or 0 for the values at the start.");
+    "TargetArea and TargetVolume must be finite numbers > 0, or 0 for the values of the initial "
+    "skin.");
   Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
@@ -154,7 +155,7 @@ void CheckSize(std::size_t count, std::size_t maximum)
   if (count > maximum)
   {
     std::ostringstream text;
-    text << "The band has grown to " << count << " active voxels, more than "
+    text << "The narrow band has grown to " << count << " active voxels, more than "
          << "MaximumNumberOfActiveVoxels = " << maximum
          << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
     throw std::runtime_error(text.str());

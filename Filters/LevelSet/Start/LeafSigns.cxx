@@ -115,7 +115,7 @@ void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels)
   if (512.0 * leaves > nodesPerActiveVoxel * static_cast<double>(maximumNumberOfActiveVoxels))
   {
     std::ostringstream text;
-    text << "The bands around the shape and its inside hold " << 512.0 * leaves
+    text << "The shape and the narrow band around it fill " << 512.0 * leaves
          << " voxels or more, too many for MaximumNumberOfActiveVoxels = "
          << maximumNumberOfActiveVoxels
          << "; enlarge VoxelSize, check that the shape is bounded, or raise the maximum.";

@@ -289,8 +289,8 @@ vtkPointSet* AsParticles(const InputBlock& block)
   {
     throw std::invalid_argument(block.Name + " of the input is no set of particles, but a " +
       block.Data->GetClassName() + (points ? " with other cells than vertices" : "") +
-      "; if several blocks have points, all have to be particles. Extract one block, or merge "
-      "the blocks.");
+      "; if several blocks have points, all such blocks have to be particles. Extract one block, "
+      "or merge the blocks.");
   }
   return points;
 }

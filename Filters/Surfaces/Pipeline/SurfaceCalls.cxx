@@ -102,7 +102,7 @@ void SurfaceRequests::CheckInputs() const
   }
   if (this->Target.IsStillAt(this->CompositeTarget))
   {
-    throw RankError("The input is a composite data set of levels, which cannot be a "
+    throw RankError("The input is a composite data set of levels (AMR), which cannot be a "
                     "target; make one image of it (vtkResampleToImage).");
   }
   if (this->Initial.IsStillAt(this->CompositeInitial))

@@ -58,8 +58,8 @@ public:
     if (this->Is)
     {
       throw std::logic_error(call +
-        " was called by an observer during an update; call it after the update, which AbortExecute "
-        "stops.");
+        " was called by an observer during an update; call it after the update (AbortExecute stops "
+        "an update).");
     }
   }
 

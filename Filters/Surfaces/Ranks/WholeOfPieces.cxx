@@ -252,7 +252,7 @@ vtkSmartPointer<vtkDataSet> AssembleImage(const Pieces& pieces, const std::strin
     if (std::find(isKnown.begin(), isKnown.end(), char(0)) != isKnown.end())
     {
       throw std::invalid_argument(what +
-        ", an image, has points that are in the piece of no rank; "
+        ", an image, has points that are in no rank's piece; "
         "make pieces that fill the whole extent.");
     }
     whole->GetPointData()->AddArray(values);

@@ -322,7 +322,8 @@ bool MotionDriver::AdvanceTo(
 void MotionDriver::WarnOfSubsteps(int step, const Motion& motion)
 {
   const char* found = this->Settings.FindWhatNeedsSubsteps();
-  const char* reason = found ? found : "An Attraction of less than 2 over a time step";
+  const char* reason =
+    found ? found : "Attraction below 2 / (TimeScale * interval between time steps)";
   const bool isAsked =
     this->Settings.Integration == IntegrationChoice::Explicit || this->Settings.Law.Paper;
   if (motion.Integration != TimeIntegration::Nodes && !isAsked &&

@@ -60,7 +60,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << "; the column Outside of the history has this percentage for each time step. "
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
-       << "To keep up, raise Attraction"
+       << "For a closer skin, raise Attraction"
        << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")
        << (outside.Law.CreateParts ? "" : ", turn CreateParts on")
        << (outside.Law.Tension > 0.0 ? ", lower Tension" : "")
@@ -97,14 +97,14 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
     return;
   }
   text << "The skin has not reached a steady state after " << rest.MaximumSubsteps
-       << " substeps: its speed is " << report.SurfaceSpeed << " voxels per time, RestTolerance is "
-       << rest.Tolerance;
+       << " substeps: its speed is " << report.SurfaceSpeed
+       << " voxels per unit of time, RestTolerance is " << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
-    text << ", and " << std::setprecision(2) << 100.0 * report.MovingShare
+    text << "; " << std::setprecision(2) << 100.0 * report.MovingShare
          << " % of the skin last moved by more than " << SteadyStateCriterion::Still << " voxels";
   }
-  text << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
+  text << ". Raise MaximumNumberOfSubsteps, or RestTolerance.";
   messages.Say("no rest", text.str());
 }
 

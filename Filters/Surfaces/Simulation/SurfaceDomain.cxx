@@ -81,10 +81,11 @@ SurfaceDomain MakeDomainOf(
   if (domain.VoxelSize != 0.0 && !isLength)
   {
     std::ostringstream text;
-    text << "The automatic VoxelSize is " << domain.VoxelSize
-         << ", half of the particles' spacing, or a 64th of the longest side of ModelBounds or of "
-         << "the target, but has to be between " << ranges::ShortestLength << " and "
-         << ranges::LongestLength << "; scale the data, or set VoxelSize.";
+    text
+      << "The automatic VoxelSize is " << domain.VoxelSize
+      << " (computed from the particles' spacing, the bounds or the pixels), but has to be between "
+      << ranges::ShortestLength << " and " << ranges::LongestLength
+      << "; scale the data, or set VoxelSize.";
     throw std::invalid_argument(text.str());
   }
   if (particleSpacing > 0.0)

@@ -297,7 +297,7 @@ void ForEachProperty(Settings& settings, Visitor&& visit)
     OrAutomatic(0.0, true, "a finite number >= 0, or -1, automatic"));
   ACTIVE_PROPERTY(Tension, settings.Tension,
     OrAutomatic(
-      0.0, true, "a finite number >= 0, as a negative one would be unstable, or -1, automatic"));
+      0.0, true, "a finite number >= 0 (below 0 the motion is unstable), or -1, automatic"));
   ACTIVE_PROPERTY(TensionWeighting, motion.WeightedTension, Any);
   ACTIVE_PROPERTY(
     TargetNoise, settings.Noise, Length("0, between 1e-30 and 1e30, or -1, automatic", true));
@@ -316,15 +316,15 @@ void ForEachProperty(Settings& settings, Visitor&& visit)
   ACTIVE_PROPERTY(VolumeControl, motion.VolumeControl, Any);
   ACTIVE_PROPERTY(VolumeStiffness, motion.VolumeStiffness, AtLeastZero);
   ACTIVE_PROPERTY(TargetVolume, motion.TargetVolume,
-    OrZero("a finite number > 0, or 0 for the volume at the start"));
+    OrZero("a finite number > 0, or 0 for the volume of the initial skin"));
   ACTIVE_PROPERTY(AreaControl, motion.AreaControl, Any);
   ACTIVE_PROPERTY(AreaStiffness, motion.AreaStiffness, AtLeastZero);
-  ACTIVE_PROPERTY(
-    TargetArea, motion.TargetArea, OrZero("a finite number > 0, or 0 for the area at the start"));
+  ACTIVE_PROPERTY(TargetArea, motion.TargetArea,
+    OrZero("a finite number > 0, or 0 for the area of the initial skin"));
 
   ACTIVE_PROPERTY(TimeScale, settings.TimeScale, Positive);
-  ACTIVE_PROPERTY(ArrivalTime, settings.ArrivalTime,
-    OrZero("a finite number > 0, or 0 for a skin that may be late"));
+  ACTIVE_PROPERTY(
+    ArrivalTime, settings.ArrivalTime, OrZero("a finite number > 0, or 0 for no arrival time"));
 }
 
 }

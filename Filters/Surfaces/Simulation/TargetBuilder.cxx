@@ -262,8 +262,8 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 {
   if (!shape->HasPoints())
   {
-    throw std::invalid_argument("The input of port 1, Initial, is empty: there are no points to "
-                                "start on. Disconnect it, or connect a closed mesh or an image.");
+    throw std::invalid_argument("The input of port 1, Initial, is empty, so there is no initial "
+                                "shape. Disconnect it, or connect a closed mesh or an image.");
   }
   if (!shape->CanStart())
   {

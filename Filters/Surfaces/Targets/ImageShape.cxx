@@ -142,8 +142,8 @@ std::string DescribeNotFinite(vtkDataArray* values)
     return "";
   }
   return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
-    " values are not finite (NaN or infinity): voxels that touch them have no surface. Replace "
-    "them by a value inside or outside.";
+    " values are not finite (NaN or infinity): voxels with such a corner have no surface. Replace "
+    "such values by a value inside or outside.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)

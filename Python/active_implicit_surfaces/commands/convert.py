@@ -141,13 +141,13 @@ def make_parser() -> Parser:
         "--voxel-size",
         type=positive,
         metavar="X",
-        help="voxel size for meshes to .vdb (default: size / 64)",
+        help="voxel size for meshes to .vdb (default: longest side / 64)",
     )
     parser.add_argument(
         "--level",
         type=float,
         metavar="X",
-        help="value on the surface of an image (default: 0, fog: 0.5)",
+        help="value on the surface of an image (default: by kind: distance 0, fog 0.5, mask mean)",
     )
     add_choice_options(parser)
     add_up_option(parser, "found", "in a .glb")

@@ -43,7 +43,7 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields the options of one run per label, each with its own output names; else of one run.
+    """Yields the options of each run: one per label, with its own output names; or a single run.
 
     `find` returns all labels, `default` is the name of outputs.
     """
