@@ -173,7 +173,7 @@ Places FileValidator::ReadDescriptor(VDBGrid& grid)
     (places.Grid != this->Source.GetPosition() || places.End < places.Grid ||
       places.End > this->Source.GetSize()))
   {
-    RefuseDamage("a grid is at an impossible place, or the file ends too early");
+    RefuseDamage("the offset of a grid is impossible, or the file ends too early");
   }
   return places;
 }

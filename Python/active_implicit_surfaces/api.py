@@ -242,7 +242,7 @@ def configure(
     chosen = dict(arrays or {})
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
-        raise TypeError(f"arrays has the keys {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
+        raise TypeError(f"arrays needs keys of {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
     frames = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]

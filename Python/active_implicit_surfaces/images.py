@@ -114,7 +114,8 @@ def _read_nrrd(
     sizes = fields["sizes"].split()
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(
-            f"it has {len(values)} bytes for {' x '.join(sizes)}, not 3 axes of values"
+            f"its {len(values)} bytes of values are too few for {' x '.join(sizes)} values, or it "
+            "does not have three axes"
         )
     lines = [f"{name}: {fields.get(name, 'little')}" for name in ("type", "endian", "encoding")]
     lines = ["NRRD0004", *lines, "dimension: 4", f"sizes: {' '.join(['1', *sizes][-4:])}", "", ""]

@@ -20,7 +20,7 @@ PRESETS = {
     "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
     "molecule": "for atoms: balls that merge where they touch; radii from the elements",
     "grains": "for sand and beads that roll and pile: separate balls; radii by --radii",
-    "paper": "the scheme of the paper (kernels), for comparison: each particle is visible",
+    "paper": "the published scheme (kernels), for comparison: each particle is visible",
 }
 # The kernel WYVILL, (1 - q^2)^3, has this level at q = 0.7947. With kernels little larger than the
 # atoms, touching atoms merge only near their contact.

@@ -186,7 +186,7 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
     this->Source.ReadText();
     if (this->Source.Read<std::uint64_t>() >= positions)
     {
-      RefuseDamage("an attribute is at an impossible place");
+      RefuseDamage("the index of an attribute is impossible");
     }
   }
 }

@@ -130,7 +130,7 @@ openvdb::Coord TopologyValidator::Origin()
   {
     if (c % (1 << Log2Reach[2]) != 0 || c < -Farthest || c >= Farthest)
     {
-      RefuseDamage("a node is at an impossible place");
+      RefuseDamage("the origin of a node is impossible");
     }
   }
   return { x[0], x[1], x[2] };

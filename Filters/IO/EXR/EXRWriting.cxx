@@ -332,7 +332,7 @@ void PlanArray(
   if (!array->GetName() || !*array->GetName())
   {
     Refuse(
-      "A point array of the input has no name; set its name, from which its channels are named.");
+      "A point array of the input has no name, which its channels need; set the array's name.");
   }
   const auto channels = ComponentChannels(array, array->GetName(), picture);
   for (std::size_t i = 0; i < channels.size(); ++i)

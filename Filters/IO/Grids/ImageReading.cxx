@@ -312,8 +312,8 @@ ImagePlace MakeImagePlace(
   if (!(skew <= slack))
   {
     throw std::invalid_argument(
-      "The grid is sheared: its axes are not at right angles, as those of "
-      "an image have to be. Resample it (vdb_tool, Houdini) first.");
+      "The grid is sheared, but an image needs axes at right angles. Resample the grid first "
+      "(vdb_tool, Houdini).");
   }
   return place;
 }

@@ -94,7 +94,7 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   if (!(voxelSize >= smallest))
   {
     std::ostringstream text;
-    text << "The voxel size is " << voxelSize << ", but the smallest of OpenVDB is " << smallest
+    text << "The voxel size is " << voxelSize << ", but OpenVDB needs at least " << smallest
          << "; scale the scene up.";
     throw std::invalid_argument(text.str());
   }

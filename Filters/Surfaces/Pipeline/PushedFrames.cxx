@@ -28,12 +28,12 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
   if (!data)
   {
     throw std::invalid_argument("There is no frame to advance to; if a frame has no particles, "
-                                "push a vtkPolyData without points.");
+                                "pass a vtkPolyData without points.");
   }
   if (!SurfaceInput::Accepts(SurfaceInput::Target, data))
   {
     throw std::invalid_argument(std::string("A ") + data->GetClassName() +
-      " cannot be a frame; push particles, a skeleton of lines, a closed mesh or an image.");
+      " cannot be a frame; pass particles, a skeleton of lines, a closed mesh or an image.");
   }
   if (properties.Settings.IsEquilibrium())
   {

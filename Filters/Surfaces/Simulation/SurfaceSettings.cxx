@@ -101,7 +101,7 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
   {
     text << ", after " << steps[bad - 1];
   }
-  text << (areOfInput ? "; check what is upstream (TIME_STEPS)."
+  text << (areOfInput ? "; check the TIME_STEPS of the source."
                       : "; check StartTime and TimeStepSize (> 0, and large enough to change "
                         "StartTime when added).");
   throw std::invalid_argument(text.str());
@@ -266,7 +266,7 @@ void SurfaceSettings::Check() const
     "and PaperScheme off, or set ArrivalTime to 0.");
   CheckSteps(this->Inputs.Steps, this->Inputs.HaveOwnSteps());
   Require(std::isfinite(this->GetMotionTimeOf(this->GetNumberOfSteps() - 1).Value),
-    "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
+    "The motion time of the last time step, TimeScale * (last time - first time), has to be "
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "
     "the input.");
   Require(std::isfinite(this->GetArrival().Value),

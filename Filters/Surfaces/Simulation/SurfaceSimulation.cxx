@@ -274,7 +274,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
     if (!domain && !this->Shapes.StartsOnNothing())
     {
       throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
-                                  "box around the shape that the skin starts with.");
+                                  "box around the initial shape.");
     }
     if (this->Loaded.Band && domain)
     {

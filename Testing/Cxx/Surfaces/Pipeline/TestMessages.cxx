@@ -90,7 +90,7 @@ TEST(TestMessages, UnknownBoundsAreAnError)
 {
   auto filter = MakeShrinkingBall();
   filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
-  Refuses(filter, "set ModelBounds to a box around the shape");
+  Refuses(filter, "set ModelBounds to a box around the initial shape");
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
   Works(filter, "with bounds");
 }
@@ -287,9 +287,10 @@ TEST(TestMessages, StepsOfTheInputHaveToAscend)
   source->SetCloud(MovingBall);
   const std::string words = "The time steps of the input have to be finite and ascending, but ";
   source->SetSteps({ 0.0, 1.0, 0.5 });
-  Refuses(MakeSkinOver(source), words + "number 2 is 0.5, after 1; check what is upstream");
+  Refuses(
+    MakeSkinOver(source), words + "number 2 is 0.5, after 1; check the TIME_STEPS of the source");
   source->SetSteps({ NaN, 1.0 });
-  Refuses(MakeSkinOver(source), words + "number 0 is nan; check what is upstream");
+  Refuses(MakeSkinOver(source), words + "number 0 is nan; check the TIME_STEPS of the source");
 }
 
 TEST(TestMessages, InputThatFailsIsAnError)
