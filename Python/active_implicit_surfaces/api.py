@@ -26,8 +26,8 @@ from .times import times_between
 # Indices of SetInputArrayToProcess, and the keywords that choose such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
 _POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
-_MANY = 100  # particles; with fewer the neighbours' distance is not meaningful
-_FAR = 1.5  # factor up or down beyond which a length is unsuitable
+_MANY = 100  # least number of particles whose median distance is meaningful
+_FAR = 1.5  # largest factor, up or down, between a suitable spacing and the estimate
 _SAME = 1.01
 _LEAST_REACH = 1.2  # least kernel radius, in spacings
 

@@ -21,10 +21,10 @@ _NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
 # In a list of names, the second letter after C, H, N, O, P or S is a position in the molecule, as
 # in CA and HG. These elements are the exceptions.
 _PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
-_ALONE = "CHNOPSBDFIK"  # possible first letters of longer names
+_ALONE = "CHNOPSBDFIK"  # elements of one letter that may begin a longer atom name
 _IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
 _LARGEST_RADIUS = 10.0  # larger entries of the table mean an unknown radius
-_ANGSTROM = 0.1  # in the nanometres of a .gro
+_ANGSTROM = 0.1  # in nanometres, the unit of a .gro
 _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns of CRYST1
 
 

@@ -36,7 +36,7 @@ _MARK = "active_implicit_surfaces chosen"
 _LABEL_ARRAYS = ("label", "labels")
 _MOST_LABELS = 1000  # distinct values of an image of labels
 _MOST_LISTED = 20  # distinct values of an array in a message
-_LINK = 1.5  # spacings between neighbours of one piece
+_LINK = 1.5  # largest distance of neighbours in a cluster, in spacings
 
 
 class Condition(NamedTuple):

@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 from .data_objects import add_array, copy_of, output_of, vtk_points
 from .messages import few, listening, warn
 
-_OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, and of empty or full
+_OVER, _FULL = 0.1, 1e-3  # volume fractions: excess over 0 or 1; tolerance of 0 and 1
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:

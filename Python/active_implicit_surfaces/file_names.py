@@ -28,7 +28,7 @@ from typing import Any, NamedTuple
 _NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{(?::0?\d*d)?\}")
 INDEX_SUFFIXES = (".pvd", ".series")
 _NOTES = (".txt", ".dat")  # ignored in a folder with other files
-_ROUNDING = 1e-12  # of an index's largest time: tolerance of equal times
+_ROUNDING = 1e-12  # tolerance of equal times, relative to the index's largest time
 
 
 class Listing(NamedTuple):

@@ -23,8 +23,8 @@ from .messages import quiet, warn
 
 IMAGE_SUFFIXES = (".vti", ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
 _FIELD = re.compile(r"(?m)^[ \t]*([^#:=\n]+?)[ \t]*[:=]+[ \t]*(.*?)[ \t\r]*$")
-_TURNS = ("TransformMatrix", "Rotation", "Orientation")  # of a .mha
-_ALONG = 0.999  # cosine between axes of image and space
+_TURNS = ("TransformMatrix", "Rotation", "Orientation")  # fields of a .mha with the rotation
+_ALONG = 0.999  # least cosine of the angle between parallel axes of image and space
 _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGzipFile)
 
 

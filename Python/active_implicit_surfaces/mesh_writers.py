@@ -28,7 +28,7 @@ _HELD: dict[str, tuple[str, ...]] = {
     ".stl": ("normals",),  # normals of its triangles
     ".xyz": (),
 }
-_ROUNDING = 1.0 / 64.0  # of an edge: allowed displacement of points by single precision
+_ROUNDING = 1.0 / 64.0  # allowed displacement by single precision, as a fraction of an edge
 _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 
 

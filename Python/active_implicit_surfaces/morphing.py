@@ -15,7 +15,7 @@ from .messages import warn
 from .runner import Skins
 
 FITS = ("none", "centre", "box")
-_FAR = 1.5  # largest ratio of sizes
+_FAR = 1.5  # largest ratio of the shapes' sizes without a warning
 _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
 
 

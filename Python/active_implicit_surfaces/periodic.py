@@ -8,7 +8,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-_ROUNDING = 1e-6  # of the longest edge
+_ROUNDING = 1e-6  # tolerance of equal boxes, relative to the longest edge
 
 
 def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:

@@ -28,9 +28,9 @@ ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _RADII = 0  # index of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are searched
 _NEIGHBOURS = 3
-_VOXELS_OF_GRAIN = 3.0  # per radius: the volume of 1,000 touching grains is exact to 3 %
+_VOXELS_OF_GRAIN = 3.0  # voxels per radius: the volume of 1,000 touching grains is exact to 3 %
 _COARSE = 0.1  # largest grid step of positions, in spacings
-_STEPS = 6.0  # factors e per step, the filter's own choice
+_STEPS = 6.0  # distances fall by e^6 per step, as by the filter's default
 
 
 def apply_preset(

@@ -22,7 +22,7 @@ from .series import TemporalSource
 from .solvent import empty_image, excluded_distance, for_triangles, usual_voxel
 
 _RADII = "radius"
-_FOLLOWING = 24.0  # factors e by which the skin approaches its target in a step
+_FOLLOWING = 24.0  # distances to the target fall by e^24 per step
 
 
 class ProbedAtoms:

@@ -56,7 +56,7 @@ FAR = 1e10  # value of the background in Blender; finite, so that image filters 
 # Tolerance of depth for values of one surface. The depth buffer has 24 bits, of which perspective
 # leaves about 14 far away.
 _SAME_DEPTH = 1e-4
-_COARSE = 3e-5  # grid of points, relative to the camera's distance: about a tenth of a pixel
+_COARSE = 3e-5  # step of single precision, relative to the camera's distance: 0.1 pixel
 
 
 def write_exr(

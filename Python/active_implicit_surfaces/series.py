@@ -31,7 +31,7 @@ from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
 
-_ROUNDING = 1e-6  # tolerance of a number of particles
+_ROUNDING = 1e-6  # tolerance before a number of particles is rounded up
 
 
 class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]

@@ -26,11 +26,11 @@ from .data_objects import add_array, as_particles
 BAND = 2.0  # distance from the surface with exact values, in voxels
 MOST_POINTS = 100_000_000  # limit for an image
 MOST_PAIRS = 20_000_000  # limit for pairs of atoms whose accessible balls overlap
-VOXEL = 0.25  # relative to the root mean square radius
+VOXEL = 0.25  # default voxel size, relative to the root mean square radius
 _CHORD = 0.1  # voxels lost by flat triangles, per curvature of 1/voxel
 _INSIDE = 1e-9  # relative to a radius: tolerance of points on a ball's surface
-_NARROWEST = 1e-9  # of an arc [rad]
-_FEW = 12  # neighbours, which cover most circles within a molecule
+_NARROWEST = 1e-9  # least length of an arc [rad]
+_FEW = 12  # nearest neighbours; they cover most circles within a molecule
 _TURN = 2.0 * numpy.pi
 
 

@@ -19,7 +19,7 @@ from .messages import few, warn
 Frame = dict[str, Any]
 # Frames, or functions that read one, and their times if the file has them.
 Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
-FIELD, SYMBOLS = "\0field", "\0symbols"  # of a frame; no column has these names
+FIELD, SYMBOLS = "\0field", "\0symbols"  # keys of a frame that no column has as its name
 
 POSITIONS = (
     *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),
@@ -37,7 +37,7 @@ _AXIS_LAST = re.compile(
 _AXIS_FIRST = re.compile(r"([xyz])[-:_. /]?(.+)", re.IGNORECASE)
 _TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
 _SEPARATORS = ("\t", ";", "|", ",", None)  # None: whitespace
-# "Na" is sodium.
+# "Na" is no empty cell, but sodium.
 _MISSING = frozenset(("", "-", *"na NA n/a N/A null Null NULL none None NONE".split()))
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")

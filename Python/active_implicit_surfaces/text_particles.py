@@ -20,7 +20,7 @@ from .atom_files import read_molecule
 from .tables import POSITIONS, Frame, Frames, read_table
 
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
-_HEAD = 1 << 16  # bytes
+_HEAD = 1 << 16  # bytes at the start of a file that are searched for times
 
 
 def read_csv(path: Path) -> Frames:

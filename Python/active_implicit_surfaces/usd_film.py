@@ -23,7 +23,7 @@ from .runner import Sink
 from .times import rate_of
 
 USD_SUFFIXES = (".usdc", ".usda")
-_MOST_INT = 2**31  # limit of 32 bits
+_MOST_INT = 2**31  # first integer that does not fit into 32 bits
 _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.glb or skin_####.vtp"
 
 

@@ -10,9 +10,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..presets import estimate_spacing
 
-_FRAMES = 64  # of a series that are read
-_LOWER, _FLATTER = 0.05, 1.5  # fraction of the box, ratio of its sides
-_STRAYS, _ROOM = 0.005, 0.25  # fraction of particles at each side; relative enlargement allowed
+_FRAMES = 64  # largest number of frames that are read
+_LOWER, _FLATTER = 0.05, 1.5  # difference of heights, as a fraction of the box; ratio of sides
+_STRAYS, _ROOM = 0.005, 0.25  # fraction of particles cut off at each side; enlargement
 _SAMPLED = 2000  # particles of a frame that are searched for strays
 
 
