@@ -215,7 +215,7 @@ def _add_input_options(parser: Parser) -> None:
         metavar="T,T...",
         help="times of the frames, or FIRST:LAST:COUNT",
     )
-    told = "array of ids (default: by usual names); also --radii, --strengths, --velocities"
+    told = "array of ids (default: by name); also --radii, --strengths, --velocities"
     for role in _ARRAYS:
         text = told if role == "ids" else argparse.SUPPRESS
         files.add_argument(f"--{role}", metavar="NAME", help=text)
