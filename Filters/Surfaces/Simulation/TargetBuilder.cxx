@@ -184,8 +184,8 @@ TargetOptions TargetBuilder::GetOptions() const
   options.MeshThickness = settings.MeshThickness;
   options.MeshVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
   options.IsOnNodes = settings.UsesNodes();
-  options.SmoothsLabels = settings.UsesNodes() && settings.Noise != 0.0 &&
-    (settings.Inputs.TargetMoves || !settings.StartsElsewhere());
+  options.SmoothsLabels =
+    settings.UsesNodes() && settings.Noise != 0.0 && !settings.StartsElsewhere();
   options.LabelNoise = settings.Noise;
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
   options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
