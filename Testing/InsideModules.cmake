@@ -16,7 +16,7 @@ endfunction ()
 active_add_inside(LevelSet OpenVDB::openvdb TBB::tbb VTK::CommonCore)
 active_add_inside(Files InsideLevelSet VTK::CommonCore VTK::CommonDataModel)
 active_add_inside(Particles InsideFiles VTK::CommonExecutionModel)
-active_add_inside(Shapes InsideParticles VTK::ImagingGeneral)
+active_add_inside(Shapes InsideParticles)
 active_add_inside(Surfaces InsideShapes VTK::CommonMath VTK::IOXML VTK::ParallelCore)
 active_add_inside(IO InsideShapes VTK::CommonMath VTK::IOImage VTK::ParallelCore
   OpenEXR::OpenEXR)

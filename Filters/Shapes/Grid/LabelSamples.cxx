@@ -5,16 +5,16 @@
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
-#include "vtkImageEuclideanDistance.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace activesurface
@@ -95,27 +95,72 @@ private:
   }
 };
 
+// Larger than the square of any distance; the sum of two does not overflow.
+constexpr std::int32_t Unknown = 1 << 29;
+
+// Replaces each number of a line by the least number(j) + (i - j)^2 over the line.
+void SpreadSquares(std::vector<std::int32_t>& line, std::vector<std::int32_t>& squares)
+{
+  const auto size = static_cast<std::int32_t>(line.size());
+  squares = line;
+  for (std::int32_t i = 0; i < size; ++i)
+  {
+    std::int32_t& least = squares[static_cast<std::size_t>(i)];
+    for (std::int32_t d = 1; d < size && d * d < least; ++d)
+    {
+      for (const std::int32_t j : { i - d, i + d })
+      {
+        least =
+          j >= 0 && j < size ? std::min(least, line[static_cast<std::size_t>(j)] + d * d) : least;
+      }
+    }
+  }
+}
+
+// Spreads squares along an axis of an image of this extent.
+void SpreadAlong(std::size_t axis, const Box& box, std::vector<std::int32_t>& squares)
+{
+  const std::size_t size = GetLength(box, axis);
+  const std::size_t stride =
+    axis == 0 ? 1 : GetLength(box, 0) * (axis == 1 ? 1 : GetLength(box, 1));
+  tbb::parallel_for(std::size_t(0), squares.size() / size,
+    [&](std::size_t number)
+    {
+      thread_local std::vector<std::int32_t> line, spread;
+      const std::size_t first = number / stride * stride * size + number % stride;
+      line.resize(size);
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        line[i] = squares[first + stride * i];
+      }
+      if (std::all_of(line.begin(), line.end(), [](std::int32_t n) { return n == Unknown; }))
+      {
+        return;
+      }
+      SpreadSquares(line, spread);
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        squares[first + stride * i] = spread[i];
+      }
+    });
+}
+
 // For each marked pixel, writes its distance to the nearest unmarked pixel, minus 1/2 [pixels].
+// Exact, as squares are integers: they are spread axis by axis.
 void WriteDistances(
   const Box& box, const std::vector<unsigned char>& marks, double sign, float* distances)
 {
-  vtkNew<vtkUnsignedCharArray> values;
-  values->SetNumberOfValues(static_cast<vtkIdType>(marks.size()));
-  std::copy(marks.begin(), marks.end(), values->GetPointer(0));
-  // From index 0: other extents make vtkImageEuclideanDistance write beyond its arrays (VTK 9.1).
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(box[1] - box[0] + 1, box[3] - box[2] + 1, box[5] - box[4] + 1);
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkImageEuclideanDistance> filter;
-  filter->SetInputData(image);
-  filter->InitializeOn();
-  filter->ConsiderAnisotropyOff();
-  filter->Update();
-  const auto* squares = static_cast<const double*>(filter->GetOutput()->GetScalarPointer());
+  std::vector<std::int32_t> squares(marks.size());
+  std::transform(marks.begin(), marks.end(), squares.begin(),
+    [](unsigned char mark) { return mark ? Unknown : 0; });
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    SpreadAlong(axis, box, squares);
+  }
   for (std::size_t i = 0; i < marks.size(); ++i)
   {
     distances[i] =
-      marks[i] ? static_cast<float>(sign * (std::sqrt(squares[i]) - .5)) : distances[i];
+      marks[i] ? static_cast<float>(sign * (std::sqrt(double(squares[i])) - .5)) : distances[i];
   }
 }
 
