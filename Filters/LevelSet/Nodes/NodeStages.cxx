@@ -238,29 +238,6 @@ struct SkinEstimate
   double Volume = 0.0, Area = 0.0;
 };
 
-SkinEstimate EstimateSkin(const NodeFields& fields)
-{
-  std::vector<SkinEstimate> parts(fields.Leaves.Size());
-  fields.Leaves.ForEach(
-    [&](std::size_t i)
-    {
-      const float* values = fields.Potential.Of(i);
-      for (int node = 0; node < 512; ++node)
-      {
-        const float inside = .5f - values[node];
-        parts[i].Volume += static_cast<double>(std::min(std::max(inside, 0.f), 1.f));
-        parts[i].Area += inside > 0.f && inside < 1.f ? 1.0 : 0.0;
-      }
-    });
-  SkinEstimate sum;
-  for (const SkinEstimate& part : parts) // a fixed order, for bitwise identical sums
-  {
-    sum.Volume += part.Volume;
-    sum.Area += part.Area;
-  }
-  return sum;
-}
-
 /** Keeps the volume of a skin with NodeFreedom from stage to stage. Otherwise tension would press
  * the skin against the inner limit of its freedom. This limit has the steps of the pixels, so the
  * skin would show the steps. */
@@ -269,18 +246,49 @@ class VolumeKeeper
 public:
   explicit VolumeKeeper(const NodeFields& fields)
     : Fields(fields)
-    , AtStart(fields.Slack ? EstimateSkin(fields).Volume : 0.0)
+    , Parts(fields.Slack ? fields.Leaves.Size() : 0)
+    , AtStart(this->Estimate().Volume)
   {
   }
   /** Returns the shift of the potential that restores the volume, to first order. */
-  float FindShift() const
+  float FindShift()
   {
-    const SkinEstimate now = this->Fields.Slack ? EstimateSkin(this->Fields) : SkinEstimate();
+    const SkinEstimate now = this->Estimate();
     return now.Area > 0.0 ? static_cast<float>((now.Volume - this->AtStart) / now.Area) : 0.f;
   }
 
 private:
+  /** Returns 0 without freedom. */
+  SkinEstimate Estimate()
+  {
+    SkinEstimate sum;
+    if (!this->Fields.Slack)
+    {
+      return sum;
+    }
+    this->Fields.Leaves.ForEach([this](std::size_t i) { this->Parts[i] = this->EstimateLeaf(i); });
+    for (const SkinEstimate& part : this->Parts) // a fixed order, for bitwise identical sums
+    {
+      sum.Volume += part.Volume;
+      sum.Area += part.Area;
+    }
+    return sum;
+  }
+  SkinEstimate EstimateLeaf(std::size_t i) const
+  {
+    const float* values = this->Fields.Potential.Of(i);
+    SkinEstimate leaf;
+    for (int node = 0; node < 512; ++node)
+    {
+      const float inside = .5f - values[node];
+      leaf.Volume += static_cast<double>(std::min(std::max(inside, 0.f), 1.f));
+      leaf.Area += inside > 0.f && inside < 1.f ? 1.0 : 0.0;
+    }
+    return leaf;
+  }
+
   const NodeFields& Fields;
+  std::vector<SkinEstimate> Parts; //< of each leaf
   const double AtStart;
 };
 
@@ -335,7 +343,7 @@ void RunStages(const NodeFields& fields, const StageCoefficients& law)
 {
   const int count = CountStages(law);
   const float borne = TensionOfStage * static_cast<float>(count);
-  const VolumeKeeper keeper(fields);
+  VolumeKeeper keeper(fields);
   for (int stage = 0; stage < count; ++stage)
   {
     fields.Halo.Refresh(fields.Potential);
