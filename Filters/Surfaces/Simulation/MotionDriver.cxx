@@ -235,9 +235,10 @@ void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
   motion.Integration = TimeIntegration::Nodes;
   if (pixel > 0.0)
   {
-    motion.Tension = this->Settings.Tension == Automatic
-      ? AutomaticTensionOfLabels(attraction, pixel)
-      : motion.Tension;
+    if (this->Settings.Tension == Automatic)
+    {
+      motion.Tension = AutomaticTensionOfLabels(attraction, pixel);
+    }
     return;
   }
   motion.WeightedTension = law.WeightedTension;

@@ -1,6 +1,5 @@
 #include "Simulation/TargetBuilder.h"
 
-#include "Grid/LabelSamples.h"
 #include "Targets/ImplicitTarget.h"
 #include "Targets/LabelTarget.h"
 #include "Targets/NoShape.h"
@@ -109,43 +108,6 @@ TargetBuilder::KindPointer TargetBuilder::FindKind(int first, int last) const
     }
   }
   return none;
-}
-
-double TargetBuilder::FindLabelPixel(int first, int last) const
-{
-  const bool moves = this->Settings.Inputs.TargetMoves;
-  double least = HUGE_VAL;
-  bool hasLabel = false;
-  for (int step = moves ? first : 0; step <= (moves ? last : 0); ++step)
-  {
-    const InputShape* shape = this->Frames.Find(step);
-    const LabelFacts* label = shape ? shape->GetLabel() : nullptr;
-    if (shape && shape->HasPoints() && !label)
-    {
-      return 0.0;
-    }
-    hasLabel = hasLabel || (label && label->Volume > 0.0);
-    least = label ? std::min(least, label->LeastPixel) : least;
-  }
-  return hasLabel ? least : 0.0;
-}
-
-double TargetBuilder::FindLabelVolume(int step, double fraction) const
-{
-  const auto volumeOf = [this](int at)
-  {
-    const InputShape* shape = this->Frames.Find(at);
-    const LabelFacts* label = shape ? shape->GetLabel() : nullptr;
-    return label ? label->Volume : 0.0;
-  };
-  return fraction > 0.0 ? (1.0 - fraction) * volumeOf(step) + fraction * volumeOf(step + 1)
-                        : volumeOf(step);
-}
-
-bool TargetBuilder::IsOnNodes(int first, int last) const
-{
-  return this->Settings.UsesNodes() &&
-    (this->HasParticles(first, last) || this->FindLabelPixel(first, last) > 0.0);
 }
 
 void TargetBuilder::CheckKind(int step, const InputShape& shape) const
@@ -288,12 +250,6 @@ double TargetBuilder::GetNoiseAtNodes() const
     return this->Settings.Noise;
   }
   return this->Settings.SmoothsParticles() ? NoiseOfSpacing * this->FindSpacing() : 0.0;
-}
-
-double TargetBuilder::FindSpacing() const
-{
-  const double known = this->Settings.Particles.Spacing;
-  return known > 0.0 ? known : this->EstimatedSpacing;
 }
 
 ValuesInUse TargetBuilder::FindValuesInUse(const Motion& motion) const

@@ -42,6 +42,12 @@ double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
 
 }
 
+double TargetBuilder::FindSpacing() const
+{
+  const double known = this->Settings.Particles.Spacing;
+  return known > 0.0 ? known : this->EstimatedSpacing;
+}
+
 bool TargetBuilder::WantsSpacing() const
 {
   const SurfaceSettings& settings = this->Settings;

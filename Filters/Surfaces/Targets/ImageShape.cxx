@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,7 @@ struct ImageLevel
   double IsoValue;
   bool Invert; //< inside is above the level
   bool IsOfMask = false;
+  bool IsBlank = false; //< all values are equal and not negative
 };
 
 /**
@@ -112,7 +114,7 @@ ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given)
   Run(values, counts);
   if (!(counts.Low < counts.High))
   {
-    return given;
+    return { given.IsoValue, given.Invert, false, counts.Low == counts.High && counts.Low >= 0.0 };
   }
   IsOfTwo isMask{ counts.Low, counts.High };
   if (counts.Low >= 0.0)
@@ -208,33 +210,19 @@ ImageShape::ImageShape(const InputData& input)
 {
 }
 
-// Makes the function of a mask that is smoothed as a label. Returns false for other images, and for
-// an image without a label, whose values are equal and not negative.
-bool ImageShape::PrepareLabel(vtkDataArray* values, const TargetOptions& options)
+// Makes the function of a mask that is smoothed as a label, inside above the level. Returns false
+// if there is no label.
+bool ImageShape::PrepareLabel(double level)
 {
-  if (!options.SmoothsLabels || options.IsoValue != 0.0 || options.Invert)
-  {
-    return false;
-  }
-  ValueCounts counts;
-  Run(values, counts);
-  const bool isBlank = counts.Low == counts.High && counts.Low >= 0.0;
-  const ImageLevel level = FindUsualLevel(values, { counts.High, false });
-  if (!isBlank && !level.IsOfMask)
-  {
-    return false;
-  }
-  const auto samples =
-    MakeLabelSamples(vtkImageData::SafeDownCast(this->Data), level.IsoValue, this->Label);
+  const auto samples = MakeLabelSamples(vtkImageData::SafeDownCast(this->Data), level, this->Label);
   this->IsLabel = true;
-  if (!samples)
+  if (samples)
   {
-    return false;
+    vtkNew<vtkGridPotential> grid;
+    grid->SetSamples(samples);
+    this->Function = grid;
   }
-  vtkNew<vtkGridPotential> grid;
-  grid->SetSamples(samples);
-  this->Function = grid;
-  return true;
+  return samples != nullptr;
 }
 
 std::string ImageShape::Prepare(const TargetOptions& options, const Warnings& messages)
@@ -250,13 +238,15 @@ std::string ImageShape::Prepare(const TargetOptions& options, const Warnings& me
     messages.Say("values not finite", "The image " + options.When + ": " + flaw);
   }
   ImageLevel level{ options.IsoValue, options.Invert };
-  if (values && this->PrepareLabel(values, options))
-  {
-    return "";
-  }
   if (level.IsoValue == 0.0 && values)
   {
     level = FindUsualLevel(values, level);
+  }
+  const bool mayBeLabel = options.SmoothsLabels && !options.Invert;
+  if (mayBeLabel && (level.IsOfMask || level.IsBlank) &&
+    this->PrepareLabel(level.IsBlank ? std::numeric_limits<double>::max() : level.IsoValue))
+  {
+    return "";
   }
   vtkNew<vtkGridPotential> grid;
   grid->SetIsoValue(level.IsoValue);

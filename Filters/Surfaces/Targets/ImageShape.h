@@ -6,8 +6,6 @@
 #include "Targets/FunctionShape.h"
 #include "Targets/InputData.h"
 
-class vtkDataArray;
-
 namespace activesurface
 {
 
@@ -36,7 +34,7 @@ public:
     const TargetFrames& frames, const TargetOptions& options) const override;
 
 private:
-  bool PrepareLabel(vtkDataArray* values, const TargetOptions& options);
+  bool PrepareLabel(double level);
 
   bool IsLabel = false;
   LabelFacts Label;

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace activesurface
 {
@@ -66,8 +65,7 @@ void LabelTarget::PlaceNodes(const NodeMotion& motion)
   this->LargestPixel = 0.0;
   for (const Shape* shape : { &this->Earlier, &this->Later })
   {
-    const InputShape* image = this->Frames.Find(shape->Step);
-    if (const LabelFacts* facts = image ? image->GetLabel() : nullptr)
+    if (const LabelFacts* facts = this->Frames.GetLabel(shape->Step))
     {
       this->LeastPixel = std::min(this->LeastPixel, facts->LeastPixel);
       this->LargestPixel = std::max(this->LargestPixel, facts->LargestPixel);
@@ -87,8 +85,7 @@ NodeFreedom LabelTarget::GetFreedom() const
 void LabelTarget::SampleLabel(
   const Shape& shape, std::size_t count, const double* points, double* distances) const
 {
-  const InputShape* image = this->Frames.Find(shape.Step);
-  const LabelFacts* facts = image ? image->GetLabel() : nullptr;
+  const LabelFacts* facts = this->Frames.GetLabel(shape.Step);
   if (facts && facts->Volume > 0.0)
   {
     this->SampleShape(shape, count, points, distances, nullptr);
@@ -97,14 +94,18 @@ void LabelTarget::SampleLabel(
   std::fill_n(distances, count, Absent);
 }
 
+// count: at most the nodes of a leaf.
 void LabelTarget::SampleNodes(std::size_t count, const double* points, double* distances) const
 {
   this->SampleLabel(this->Earlier, count, points, distances);
-  std::vector<double> later(this->Blend > 0.0 ? count : 0);
-  this->SampleLabel(this->Later, later.size(), points, later.data());
-  for (std::size_t i = 0; i < later.size(); ++i)
+  if (this->Blend > 0.0)
   {
-    distances[i] = (1.0 - this->Blend) * distances[i] + this->Blend * later[i];
+    double later[512];
+    this->SampleLabel(this->Later, count, points, later);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      distances[i] = (1.0 - this->Blend) * distances[i] + this->Blend * later[i];
+    }
   }
 }
 

@@ -77,6 +77,12 @@ vtkImplicitFunction* TargetFrames::GetFunction(int step) const
   return shape ? shape->GetFunction() : nullptr;
 }
 
+const LabelFacts* TargetFrames::GetLabel(int step) const
+{
+  const InputShape* shape = this->Find(step);
+  return shape ? shape->GetLabel() : nullptr;
+}
+
 std::shared_ptr<const ParticleMatches> TargetFrames::FindMatches(int step) const
 {
   return this->Has(step) && this->Has(step + 1) ? this->Matches : nullptr;

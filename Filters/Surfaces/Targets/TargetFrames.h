@@ -41,10 +41,12 @@ public:
   // Returns the shape of a step; null if the step is not stored.
   InputShape* Find(int step) const;
 
-  // Return the particles or the function of a step's shape. Without particles, GetParticles returns
-  // an empty frame; without a function, GetFunction returns null.
+  // Return the particles, the function or the label of a step's shape. Without particles,
+  // GetParticles returns an empty frame; the other functions return null without a function or
+  // label.
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
+  const LabelFacts* GetLabel(int step) const;
 
   // Returns the track from a step to the next one, if the next one is stored. Valid until a step is
   // added.
