@@ -35,10 +35,10 @@ def make_label():
     return image, np.count_nonzero(inside) * SPACING.prod()
 
 
-def smooth_by_sinc(image):
+def smooth_by_sinc(image, label=1):
     cubes, sinc = vtkDiscreteMarchingCubes(), vtkWindowedSincPolyDataFilter()
     cubes.SetInputData(image)
-    cubes.SetValue(0, 1)
+    cubes.SetValue(0, label)
     sinc.SetInputConnection(cubes.GetOutputPort())
     sinc.SetNumberOfIterations(20)
     sinc.SetPassBand(0.1)
