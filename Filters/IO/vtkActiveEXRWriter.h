@@ -41,8 +41,8 @@
  * - Pipeline time becomes the attribute "time".
  *
  * @par Threads
- * - All threads that vtkSMPTools may use pack the pixels, unless the program has set OpenEXR's own
- *   number of threads. The bytes do not depend on that number.
+ * - All threads that vtkSMPTools may use pack the pixels, unless the program has set another
+ *   number of threads for EXR files. The bytes do not depend on that number.
  *
  * @par Errors
  * - A file is written whole or not at all: first under a temporary name in the same folder, then

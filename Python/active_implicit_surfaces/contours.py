@@ -106,7 +106,7 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
 def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
     """Returns a function that converts images of a series, by one rule for all.
 
-    Masks (two values in all images) become labels, 1 inside; other images level sets, negative
+    Masks (two values in the series) become labels, 1 inside; other images level sets, negative
     inside. Raises ValueError like `level_of_series`.
     """
     own = [_at_pixels(one) for one in images]

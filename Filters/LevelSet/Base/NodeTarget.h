@@ -56,7 +56,7 @@ struct NodeMotion
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
-/** Freedom of the skin around a target whose surface is known only to a pixel, as with labels. The
+/** Freedom of the skin around a target whose surface is uncertain by a pixel, such as a label. The
  * skin stays where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth. In this range
  * tension smooths the skin, without attraction. */
 struct NodeFreedom
