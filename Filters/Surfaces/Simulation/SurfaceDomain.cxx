@@ -58,9 +58,50 @@ void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
   }
 }
 
-// voxelSize: used without VoxelSize and spacing; 0: a 64th of the longest side.
+// Size of a voxel and the words for what it was computed from.
+struct ChosenVoxel
+{
+  double Size;
+  const char* Source;
+};
+
+// Throws for an automatic VoxelSize beyond the range of lengths; 0 is permitted, of an empty input.
+void CheckVoxel(const ChosenVoxel& voxel)
+{
+  const bool isLength = voxel.Size >= ranges::ShortestLength && voxel.Size <= ranges::LongestLength;
+  if (voxel.Size != 0.0 && !isLength)
+  {
+    std::ostringstream text;
+    text << "The automatic VoxelSize is " << voxel.Size << ", computed from " << voxel.Source
+         << ", but has to be between " << ranges::ShortestLength << " and " << ranges::LongestLength
+         << "; scale the data, or set VoxelSize.";
+    throw std::invalid_argument(text.str());
+  }
+}
+
+// image: used without VoxelSize and spacing; 0: a 64th of the longest side.
+ChosenVoxel ChooseVoxel(
+  const SurfaceSettings& settings, double longest, double particleSpacing, double image)
+{
+  if (settings.VoxelSize > 0.0)
+  {
+    return { settings.VoxelSize, "VoxelSize" };
+  }
+  if (particleSpacing > 0.0)
+  {
+    return { particleSpacing / VoxelsPerSpacing, "the particles' spacing" };
+  }
+  if (image > 0.0)
+  {
+    return { image, "the image's pixels and bounds" };
+  }
+  return { longest / VoxelsAcross,
+    settings.HasBounds() ? "ModelBounds" : "the bounds of the input" };
+}
+
+// image: the size of a voxel that images ask for; 0: none.
 SurfaceDomain MakeDomainOf(
-  const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double voxelSize)
+  const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double image)
 {
   SurfaceDomain domain;
   std::copy(bounds, bounds + 6, domain.Bounds);
@@ -72,22 +113,9 @@ SurfaceDomain MakeDomainOf(
     longest = std::max(longest, side);
     square += side * side;
   }
-  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize
-    : particleSpacing > 0.0                   ? particleSpacing / VoxelsPerSpacing
-    : voxelSize > 0.0                         ? voxelSize
-                                              : longest / VoxelsAcross;
-  const bool isLength =
-    domain.VoxelSize >= ranges::ShortestLength && domain.VoxelSize <= ranges::LongestLength;
-  if (domain.VoxelSize != 0.0 && !isLength)
-  {
-    std::ostringstream text;
-    text
-      << "The automatic VoxelSize is " << domain.VoxelSize
-      << " (computed from the particles' spacing, the bounds or the pixels), but has to be between "
-      << ranges::ShortestLength << " and " << ranges::LongestLength
-      << "; scale the data, or set VoxelSize.";
-    throw std::invalid_argument(text.str());
-  }
+  const ChosenVoxel voxel = ChooseVoxel(settings, longest, particleSpacing, image);
+  CheckVoxel(voxel);
+  domain.VoxelSize = voxel.Size;
   if (particleSpacing > 0.0)
   {
     CheckPeriodicBox(settings.Particles, domain.VoxelSize);
