@@ -15,39 +15,49 @@ from vtkmodules.vtkFiltersSources import vtkLineSource
 
 TIMES = (0.0, 0.15, 0.3, 0.6, 3.0)
 
-folder = output_folder(__doc__)
-corners = vtkPoints()
-for i in range(17):
-    angle = math.pi * (i / 8 - 1)
-    corners.InsertNextPoint(0.1 * i - 0.8, 0.4 * math.sin(angle), 0.25 * math.cos(angle))
-line = vtkLineSource()
-line.SetPoints(corners)
-line.Update()
-tube = vtkSkeletonPotential()
-tube.SetInput(line.GetOutput())
-tube.SetRadius(0.45)
-box = vtkSuperquadric()
-box.SetScale(0.75, 0.5, 0.5)
-box.SetSize(1.0)
-box.SetPhiRoundness(0.3)
-box.SetThetaRoundness(0.3)
 
-surface = vtkActiveImplicitSurface()
-surface.SetModelBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25)
-surface.SetVoxelSize(2.5 / 50)
-surface.SetInitialFunction(tube)
-surface.SetTargetFunction(box)
-surface.SetAttraction(2)
-surface.SetTension(0.01)
-surface.SetTimeStepSize(0.1)
-surface.SetNumberOfTimeSteps(31)
+def make_surface():
+    corners = vtkPoints()
+    for i in range(17):
+        angle = math.pi * (i / 8 - 1)
+        corners.InsertNextPoint(0.1 * i - 0.8, 0.4 * math.sin(angle), 0.25 * math.cos(angle))
+    line = vtkLineSource()
+    line.SetPoints(corners)
+    line.Update()
+    tube = vtkSkeletonPotential()
+    tube.SetInput(line.GetOutput())
+    tube.SetRadius(0.45)
+    box = vtkSuperquadric()
+    box.SetScale(0.75, 0.5, 0.5)
+    box.SetSize(1.0)
+    box.SetPhiRoundness(0.3)
+    box.SetThetaRoundness(0.3)
 
-volume = vtkMassProperties()
-frames = []
-for time in TIMES:
-    surface.UpdateTimeStep(time)
-    volume.SetInputData(surface.GetOutput())
-    print(f"at {time}: volume {volume.GetVolume():.3f}", flush=True)
-    frames.append([skin_actor(surface.GetOutput(), CLAY)])
-write_film_strip(folder / "morph_same_topology.png", frames, floor=-0.7)
-print(f"wrote {folder / 'morph_same_topology.png'}")
+    surface = vtkActiveImplicitSurface()
+    surface.SetModelBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25)
+    surface.SetVoxelSize(2.5 / 50)
+    surface.SetInitialFunction(tube)
+    surface.SetTargetFunction(box)
+    surface.SetAttraction(2)
+    surface.SetTension(0.01)
+    surface.SetTimeStepSize(0.1)
+    surface.SetNumberOfTimeSteps(31)
+    return surface
+
+
+def main():
+    folder = output_folder(__doc__)
+    surface = make_surface()
+    volume = vtkMassProperties()
+    frames = []
+    for time in TIMES:
+        surface.UpdateTimeStep(time)
+        volume.SetInputData(surface.GetOutput())
+        print(f"at {time}: volume {volume.GetVolume():.3f}", flush=True)
+        frames.append([skin_actor(surface.GetOutput(), CLAY)])
+    write_film_strip(folder / "morph_same_topology.png", frames, floor=-0.7)
+    print(f"wrote {folder / 'morph_same_topology.png'}")
+
+
+if __name__ == "__main__":
+    main()

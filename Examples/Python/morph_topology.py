@@ -11,41 +11,51 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 TIMES = (0.0, 0.3, 0.8, 1.8, 2.1, 3.0)
 
-folder = output_folder(__doc__)
-points = vtkPoints()
-for axis in range(3):
-    for side in (-0.63, 0.63):
-        points.InsertNextPoint([side if axis == i else 0.0 for i in range(3)])
-six_points = vtkPolyData()
-six_points.SetPoints(points)
-star = vtkSkeletonPotential()
-star.SetInput(six_points)
-star.SetRadius(0.9)
-balls = vtkImplicitBoolean()
-balls.SetOperationTypeToUnion()
-for x in (-0.6, 0.6):
-    ball = vtkSphere()
-    ball.SetCenter(x, 0.0, 0.0)
-    ball.SetRadius(0.45)
-    balls.AddFunction(ball)
 
-surface = vtkActiveImplicitSurface()
-surface.SetModelBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25)
-surface.SetVoxelSize(2.5 / 50)
-surface.SetInitialFunction(star)
-surface.SetTargetFunction(balls)
-surface.SetAttraction(2)
-surface.SetTension(0.01)
-surface.SetTimeStepSize(0.1)
-surface.SetNumberOfTimeSteps(31)
+def make_surface():
+    points = vtkPoints()
+    for axis in range(3):
+        for side in (-0.63, 0.63):
+            points.InsertNextPoint([side if axis == i else 0.0 for i in range(3)])
+    six_points = vtkPolyData()
+    six_points.SetPoints(points)
+    star = vtkSkeletonPotential()
+    star.SetInput(six_points)
+    star.SetRadius(0.9)
+    balls = vtkImplicitBoolean()
+    balls.SetOperationTypeToUnion()
+    for x in (-0.6, 0.6):
+        ball = vtkSphere()
+        ball.SetCenter(x, 0.0, 0.0)
+        ball.SetRadius(0.45)
+        balls.AddFunction(ball)
 
-components = vtkPolyDataConnectivityFilter()
-components.SetExtractionModeToAllRegions()
-components.SetInputConnection(surface.GetOutputPort())
-frames = []
-for time in TIMES:
-    components.UpdateTimeStep(time)
-    print(f"at {time}: {components.GetNumberOfExtractedRegions()} piece(s)", flush=True)
-    frames.append([skin_actor(surface.GetOutput(), CLAY)])
-write_film_strip(folder / "morph_topology.png", frames, floor=-1.2)
-print(f"wrote {folder / 'morph_topology.png'}")
+    surface = vtkActiveImplicitSurface()
+    surface.SetModelBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25)
+    surface.SetVoxelSize(2.5 / 50)
+    surface.SetInitialFunction(star)
+    surface.SetTargetFunction(balls)
+    surface.SetAttraction(2)
+    surface.SetTension(0.01)
+    surface.SetTimeStepSize(0.1)
+    surface.SetNumberOfTimeSteps(31)
+    return surface
+
+
+def main():
+    folder = output_folder(__doc__)
+    surface = make_surface()
+    components = vtkPolyDataConnectivityFilter()
+    components.SetExtractionModeToAllRegions()
+    components.SetInputConnection(surface.GetOutputPort())
+    frames = []
+    for time in TIMES:
+        components.UpdateTimeStep(time)
+        print(f"at {time}: {components.GetNumberOfExtractedRegions()} piece(s)", flush=True)
+        frames.append([skin_actor(surface.GetOutput(), CLAY)])
+    write_film_strip(folder / "morph_topology.png", frames, floor=-1.2)
+    print(f"wrote {folder / 'morph_topology.png'}")
+
+
+if __name__ == "__main__":
+    main()

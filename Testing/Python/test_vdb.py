@@ -11,15 +11,13 @@ from active_implicit_surfaces import (
     vtkActiveVDBReader,
     vtkActiveVDBWriter,
 )
+from scenes import splash
 from vtkmodules.vtkCommonDataModel import vtkSphere
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 try:
     import openvdb
 except ImportError:  # name before OpenVDB 11
     import pyopenvdb as openvdb
-
-DATA = Path(__file__).resolve().parents[1] / "Data"
 
 
 def ball():
@@ -30,19 +28,6 @@ def ball():
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     surface.SetVoxelSize(0.0625)
     surface.SetTension(0.125)
-    return surface
-
-
-def splash():
-    particles = vtkXMLPolyDataReader()
-    particles.SetFileName(str(DATA / "sph_drop.vtp"))
-    surface = vtkActiveImplicitSurface()
-    surface.SetInputConnection(particles.GetOutputPort())
-    surface.SetTimeScale(1 / 25)
-    surface.SetVoxelSize(0.03)
-    surface.SetKernelRadius(0.17)
-    surface.SetParticleThreshold(0.7)
-    surface.SetAttraction(100)
     return surface
 
 
@@ -88,7 +73,7 @@ class OthersReadOurFiles(WithAFolder):
             )
 
     def test_the_splash_is_less_than_three_times_its_active_values(self):
-        surface = splash()
+        _, surface = splash()
         surface.UpdateTimeStep(20)
         write(surface, self.file)
         grid = openvdb.read(str(self.file), "surface")
