@@ -100,7 +100,7 @@ openvdb::FloatTree::Ptr CutAtWalls(
   return tree;
 }
 
-/** Order of the StateNumbers in packed bytes. */
+/** The StateNumbers, except Background, in their order. */
 using PackedNumbers = std::array<double, 7>;
 
 }

@@ -25,7 +25,8 @@ struct RankCounts
   std::int64_t Counted = 0; //< vertices of the leaves that the rank counts
 };
 
-/** A leaf with its number of vertices, which Count replaces by the number of vertices before it. */
+/** A leaf with its number of vertices, which Count replaces by the number of vertices before the
+ * leaf. */
 struct CountedLeaf
 {
   NodeIndex Origin;
@@ -109,7 +110,7 @@ private:
     return static_cast<std::size_t>(this->Space.CounterOf(origin));
   }
 
-  /** Replaces the number of vertices of each leaf by the number of vertices before it. */
+  /** Replaces the number of vertices of each leaf by the number of vertices before the leaf. */
   void Count()
   {
     std::vector<CountedLeaf*> order;

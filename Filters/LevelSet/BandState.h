@@ -51,8 +51,8 @@ struct BandState
   void MakeEmpty();
   /** Starts an empty surface at a time. bounds: only their size is used. */
   void Reset(double time, const double bounds[6]);
-  /** Replaces the potential. The layers are derived from the signs; in the paper's scheme, from the
-   * active masks. */
+  /** Replaces the potential. Derives the layers from the signs and, in the paper's scheme, the
+   * active nodes from the active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential and the layers; computes ghosts from the active nodes, if HasGhosts. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
@@ -81,7 +81,7 @@ struct BandState
 
   void CreateParts(const Motion& motion, const Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** Makes one substep, which may end at any time. Measures SurfaceSpeed for the report. */
+  /** Makes one substep without an end time. Measures SurfaceSpeed for the report. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** Clips the surface at walls and obstacle, between motions. Area and volume are measured again,

@@ -146,8 +146,8 @@ void NarrowBand::RestoreTargets(const Motion& motion)
     [&]
     {
       members.AddGhosts();
-      // A pass moves the surface by a limited distance. The loop ends when a pass gains less than 1
-      // %.
+      // A pass moves the surface by a limited distance. The loop ends when a pass lowers the error
+      // by less than 1 %.
       double before = HUGE_VAL;
       for (double left = missing(); std::fabs(left) < 0.99 * before; left = missing())
       {

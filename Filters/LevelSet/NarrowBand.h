@@ -58,7 +58,7 @@ public:
   explicit NarrowBand(double voxelSize);
   ~NarrowBand();
 
-  /** Returns a copy with its own potential: a branch that does not change this trajectory. */
+  /** Returns a copy with its own potential. Motion of the copy does not change this band. */
   std::unique_ptr<NarrowBand> Clone() const;
   /** Returns the part of the surface within walls, closed at the walls, with GetTime and GetWork of
    * this band. */
@@ -98,7 +98,7 @@ public:
   /** Returns the whole band: on all ranks if onAll, else on rank 0, and null on other ranks.
    * Collective; only for a part. */
   std::unique_ptr<NarrowBand> GatherWhole(bool onAll) const;
-  /** Replaces a part by the whole band; the next frames are whole, too. Collective. */
+  /** Replaces a part by the whole band. The next frames are not partitioned. Collective. */
   void MakeWhole();
   ///@}
 
@@ -133,11 +133,11 @@ public:
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
 
   /** Creates the parts and hollows that the target reports and the surface does not reach; see
-   * Motion::CreateParts. Returns their number. Throws like Advance. */
+   * Motion::CreateParts. Returns the number of created parts and hollows. Throws like Advance. */
   std::size_t CreateParts(const Motion& motion, const Target& target);
 
   /** Clips the surface at the walls, if present, and at the obstacle, unless null. Throws
-   * std::runtime_error where the obstacle is NaN. */
+   * std::runtime_error if the obstacle is NaN at a node. */
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
   /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, so
@@ -146,7 +146,7 @@ public:
   void RestoreTargets(const Motion& motion);
 
   /**
-   * Moves the surface to the motion time `time`; substeps end exactly there. Throws
+   * Moves the surface to the motion time `time`; the last substep ends exactly at `time`. Throws
    * std::invalid_argument for a time before the current time. After any other exception, the
    * potential and GetTime() are those after the last finished substep.
    */

@@ -1,4 +1,4 @@
-/** The value -1 of a property leaves the choice to the class. */
+/** Value of a property that the class chooses itself. */
 #ifndef Automatic_h
 #define Automatic_h
 

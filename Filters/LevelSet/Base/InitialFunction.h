@@ -26,7 +26,8 @@ struct SurfacePoints
   /** Box that contains all points where the function is negative. */
   double Bounds[6] = {};
 
-  /** Largest distance from a face of the bounds of Start to a wall that cuts the shape [length].
+  /** Largest distance from a face of NarrowBand::Start's bounds to a wall that cuts the shape
+   * [length].
    */
   double DepthOfWalls = 0.0;
 };

@@ -28,7 +28,7 @@ struct MeshBand
 {
   static constexpr openvdb::Int32 NoTriangle = -1;
 
-  openvdb::FloatGrid::Ptr Distances; //< [voxels]; + or - the half width beyond the half width
+  openvdb::FloatGrid::Ptr Distances; //< [voxels], clamped to +-halfWidth
   openvdb::Int32Grid::Ptr Triangles; //< number of the nearest triangle, where Distances is active
 };
 

@@ -34,9 +34,9 @@ enum class Control
 };
 
 /**
- * Points at which the target is evaluated for the speed of a node. Shifted: on the crossed edges,
- * from which speeds are extended. Node: the node itself. ClosestPoint: the closest point of the
- * surface.
+ * Points at which the target is evaluated for the speed of a node. Shifted: the crossings of
+ * lattice edges; nodes without a crossed edge get extended speeds. Node: the node itself.
+ * ClosestPoint: the closest point of the surface.
  */
 enum class TargetEvaluation
 {
@@ -46,7 +46,7 @@ enum class TargetEvaluation
 };
 
 /** Scheme of a substep. Explicit: forward Euler within the stable step of the fastest part. Nodes:
- * one step for the whole interval, at nodes near the target's surface (see nodes.md). */
+ * one step per NarrowBand::Advance, at nodes near the target's surface (see nodes.md). */
 enum class TimeIntegration
 {
   Explicit,
@@ -116,8 +116,8 @@ struct Motion
   GradientScheme Gradient = GradientScheme::Upwind;
 
   /** With TimeIntegration::Nodes the target's GetNodes must not be null, and Attraction should
-   * reduce distances by a factor e^2 or more in an interval. The band checks neither, and ignores
-   * penalties. */
+   * reduce distances by a factor e^2 or more per NarrowBand::Advance. The band does not check these
+   * conditions, and ignores penalties. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** If true, uses the paper's own scheme, for comparison: see PaperStep.h. */
@@ -145,7 +145,7 @@ inline bool HasTargetSpeed(const Motion& motion)
   return motion.Attraction > 0.0;
 }
 
-/** End of NarrowBand::AdvanceToSteadyState. */
+/** Condition that ends NarrowBand::AdvanceToSteadyState. */
 struct SteadyStateCriterion
 {
   /** Largest normal speed of a steady surface at the sample points [voxels/time]. If the tolerance
@@ -163,7 +163,7 @@ struct SteadyStateCriterion
 struct AdvanceReport
 {
   std::size_t Substeps = 0;
-  std::size_t SkippedSubsteps = 0;   //< substeps skipped, because all leaves had converged
+  std::size_t SkippedSubsteps = 0;   //< substeps skipped, because no leaf had to move
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   std::size_t UniformPulls = 0;      //< substeps in which an exact control cancelled all attraction

@@ -23,7 +23,7 @@ inline bool AreSame(const NodeIndex& a, const NodeIndex& b)
  * y) is bit 8 x + y. */
 struct ShellLeaf
 {
-  NodeIndex Origin;         //< of its first node
+  NodeIndex Origin;         //< index of the leaf's first node
   std::uint64_t Rows;       //< rows in the shell
   std::uint64_t InsideRows; //< rows wholly inside the target; disjoint from Rows
 };

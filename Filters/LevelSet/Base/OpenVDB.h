@@ -3,9 +3,9 @@
  * are hidden.
  *
  * OpenVDB's grids keep static members, and the std::once_flag of each, in templates. A program must
- * have one copy of each. If members were hidden but flags were not, the first library to call would
- * fill only its own members, and other libraries would read null. Include this header before any
- * other header of OpenVDB.
+ * have one copy of every member and flag. If members were hidden but flags were not, the first
+ * library to call would fill only its own members, and other libraries would read null. Include
+ * this header before any other header of OpenVDB.
  */
 #ifndef OpenVDB_h
 #define OpenVDB_h

@@ -16,7 +16,7 @@ struct SkinForces
   Target& Attractor;
   double StartArea;
   double StartVolume;
-  /** Times of the frames before and after the surface, for the node scheme. */
+  /** Times of the frames before and after the surface's time. Used only by the node scheme. */
   double Begin = 0.0;
   double End = 0.0;
 };

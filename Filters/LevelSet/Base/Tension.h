@@ -19,7 +19,7 @@ inline double TensionRate(double tension, double voxelSize)
   return 4.0 * std::fabs(tension) / (voxelSize * voxelSize);
 }
 
-/** Smallest radius R of a ball of the target that tension does not make vanish. The radius r of the
+/** Smallest radius R of a ball-shaped target whose skin survives tension. The radius r of the
  * steady skin obeys Attraction (R - r) = 2 Tension / r, which has no solution for smaller R. */
 inline double SmallestBall(double tension, double attraction)
 {

@@ -23,7 +23,7 @@ inline double Between(double a, double b, double t)
  */
 inline double Trilinear(const double corner[CornersOfCell], const double t[3], double* gradient)
 {
-  double edge[4]; // along k, at (i, j) = 2 i + j
+  double edge[4]; // interpolated along k; index 2 i + j
   for (int e = 0; e < 4; ++e)
   {
     edge[e] = Between(corner[2 * e], corner[2 * e + 1], t[2]);

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double Nearest = 1e-3; // voxels
-/** Voxels. The nodes of a crossed edge are up to a voxel off the surface. */
+/** Largest distance of the nodes of a crossed edge from the surface [voxels]. */
 constexpr double NodesNearest = 1.0;
 
 /** Coefficients of a step that moves the surface by its speed. */

@@ -42,7 +42,7 @@ void ForgetChanged(LeafTable& table, double voxelSize, const Target& target);
 /** Returns the leaves whose speeds are invalid. */
 LeafList FindUnknown(const LeafTable& table);
 
-/** Stores the speeds of leaves that have been sampled with their neighbours, except AtSurface. */
+/** Stores the speeds, except AtSurface, of leaves that have been sampled with their neighbours. */
 void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffers& buffers);
 
 /** Returns the limits over all leaves, whose speeds have to be valid. */

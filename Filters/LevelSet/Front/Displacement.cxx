@@ -139,7 +139,7 @@ namespace
 constexpr std::size_t FirstWindow = 16; // substeps
 constexpr double LeastDecay = 8.0;
 constexpr double MostMean = .25;                    // voxels
-constexpr double LeastRatio = .5, MostRatio = 1.25; // of a mean to the average of two
+constexpr double LeastRatio = .5, MostRatio = 1.25; // mean / average of the two means before
 
 }
 

@@ -35,7 +35,7 @@ public:
     double Mean;        //< mean distance of all sample points [voxels]
   };
 
-  /** Returns statistics of the sample points of Begin; NaN without sample points. If the edge of a
+  /** Returns statistics of the sample points of Begin; 0 without sample points. If the edge of a
    * point is no longer crossed, the point counts as moved by a voxel, and as moved farther than
    * any `distance`. */
   Statistics GetStatistics(const LeafTable& table, double distance) const;

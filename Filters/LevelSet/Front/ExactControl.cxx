@@ -86,7 +86,7 @@ void Restore(const ControlledBand& band, double SkinMeasure::*number, double wan
   SkinMeasure skin, double gain)
 {
   constexpr int mostSteps = 8;
-  constexpr double least = 1e-3; // smaller gains cannot be restored
+  constexpr double least = 1e-3; // with a smaller gain, the measure cannot be restored
   double left = FarthestInAll * band.Rounds;
   for (int step = 0; step < mostSteps * band.Rounds && skin.Area > 0.0 && left > 0.0; ++step)
   {

@@ -48,8 +48,8 @@ struct GradientCounts
 };
 
 /** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of
- * crossed edges. The target speeds there have to be valid. If the largest speed exceeds `enough`,
- * any speed above `enough` may be stored. coefficients: those of a step of dt = h. */
+ * crossed edges. The target speeds at these nodes have to be valid. If the largest speed exceeds
+ * `enough`, any speed above `enough` may be stored. coefficients: those of a step of dt = h. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 

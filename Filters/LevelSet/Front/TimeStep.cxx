@@ -93,8 +93,8 @@ double StableStep(
 }
 
 // The rate of relaxation grows with `tracking`, because a fixed rate would bias tension. Relaxation
-// uses the same one-sided differences as advection [voxels per step]. Relaxation and advection
-// amplify each other unless the sum of their rates stays below 1/2.
+// and advection use the same one-sided differences, and amplify each other unless the sum of their
+// rates is at most 1/2.
 double RelaxationFor(double tracking, double advection)
 {
   return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));

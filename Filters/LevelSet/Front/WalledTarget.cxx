@@ -23,7 +23,7 @@ void WalledTarget::Evaluate(
   double *values = results.Values, *slopes = results.Slopes;
   for (std::size_t i = 0; i < count; ++i)
   {
-    // The distance is scaled to the target's own unit by its slope; a flat target has slope 1.
+    // The target's slope scales the distance to the target's unit; a flat target gets slope 1.
     const double slope = slopes[i] > 0.0 ? slopes[i] : 1.0;
     const double wall = slope * this->DistanceBeyond(points + 3 * i);
     if (wall > values[i])

@@ -28,7 +28,8 @@ public:
   {
   }
 
-  /** Adds the samples of a leaf that has been sampled, and of the sampled leaves before it. */
+  /** Adds the samples of a leaf that has been sampled, and of the sampled leaves before the leaf
+   * along the axes. */
   ACTIVE_ALWAYS_INLINE void Add(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
   {
@@ -121,7 +122,7 @@ private:
       });
   }
 
-  /** Adds the edges along an axis; of each node first the edge behind, then the edge ahead. */
+  /** Adds the edges along an axis: for each node, first the edge behind, then the edge ahead. */
   template <int Axis>
   ACTIVE_ALWAYS_INLINE void AddEdges(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)

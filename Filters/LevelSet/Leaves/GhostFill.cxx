@@ -137,8 +137,8 @@ private:
     return weight > 0.f ? (this->Sum[node] + other.Sum) / weight : smallest;
   }
 
-  /** Adds candidates p + q - r: p and q are |u| at two neighbours, r at the fourth corner of the
-   * square. */
+  /** Adds candidates p + q - r: p and q are |u| at two neighbours of the node, r is |u| at the
+   * fourth corner of their square. */
   void AddCorners(int node, float smallest, Candidates& other) const
   {
     for (int first = 0; first < 2; ++first)

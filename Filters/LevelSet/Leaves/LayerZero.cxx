@@ -116,10 +116,11 @@ struct CrossedVoxels
     return corners;
   }
 
-  /** The crossed voxels of the first row, of all rows and of the last row, along x and along y. */
+  /** Unions of the rows of crossed voxels over the first, all, or the last indices along x and y.
+   */
   struct Shadows
   {
-    unsigned Of[3][3] = {}; //< first, all, last
+    unsigned Of[3][3] = {}; //< by x and y; 0: first, 1: all, 2: last
   };
 
   ACTIVE_ALWAYS_INLINE Shadows FindShadows() const

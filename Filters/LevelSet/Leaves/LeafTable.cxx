@@ -70,7 +70,7 @@ BandLeaf::BandLeaf(PotentialLeaf& leaf)
 
 void LeafTable::Rebuild(PotentialTree& tree)
 {
-  // The old index still finds the entries that are kept.
+  // Until BuildIndex, Find searches the old entries.
   std::vector<PotentialLeaf*> nodes;
   tree.getNodes(nodes);
   std::vector<BandLeaf> leaves;
@@ -105,7 +105,7 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     }
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
-    this->Summaries.resize(i + 1); // first, because it may run out of memory
+    this->Summaries.resize(i + 1); // first, because resize may run out of memory
     this->Summaries[i].IsForeign = this->IsForeign(origin);
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
     this->AddToIndex(i);

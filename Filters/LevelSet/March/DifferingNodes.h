@@ -50,7 +50,8 @@ public:
     double Distance; //< |F|
   };
 
-  /** stride: stride of the lattice [voxels]. The search stops slightly beyond `most` nodes. */
+  /** stride: spacing of the coarser lattice [voxels]. The search stops slightly beyond `most`
+   * nodes. */
   DifferingNodes(const ArrivalSearch& search, int stride, std::size_t most);
   DifferingNodes(const DifferingNodes&) = delete; // the accessor belongs to this tree
   void operator=(const DifferingNodes&) = delete;

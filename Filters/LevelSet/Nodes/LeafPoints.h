@@ -9,7 +9,8 @@
 namespace activesurface
 {
 
-/** Returns the eight numbers of row (x, y), linear between the points. */
+/** Returns the numbers at the eight nodes of row (x, y), interpolated linearly between the points.
+ */
 ACTIVE_ALWAYS_INLINE Lanes ExpandRow(const float* points, int x, int y)
 {
   const float tx = .25f * static_cast<float>(x & 3), ty = .25f * static_cast<float>(y & 3);

@@ -233,7 +233,7 @@ void CarryRows(const OldPotential& old, const NodeLeaf& leaf, const float (*feet
   OldBlock& block, float* carried)
 {
   block.Read(old);
-  if (block.IsOfOneValue()) // so the interpolated values are equal too
+  if (block.IsOfOneValue()) // then all interpolated values are equal
   {
     std::fill_n(carried, 8 * rows, block.Values[0]);
     return;

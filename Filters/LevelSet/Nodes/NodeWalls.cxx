@@ -19,7 +19,7 @@ constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
 /** Limits of the cosine between the normal of a surface and the direction to a wall. The shift onto
  * the wall has full weight from FacesWall on, and weight 0 up to LeavesWall. A free surface that
- * meets a wall, and a surface at an edge of the box, is therefore as round as without walls. */
+ * meets a wall, or a surface at an edge of the box, is therefore as round as without walls. */
 constexpr float LeavesWall = .75f, FacesWall = .95f;
 
 double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)

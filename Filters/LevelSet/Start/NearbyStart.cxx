@@ -316,7 +316,7 @@ bool SampleInside(
   return true;
 }
 
-/** Returns the nodes of a leaf that the box does not set to outside. */
+/** Returns the nodes of a leaf for which LatticeBox::Closes is false. */
 LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
 {
   LeafMask within;

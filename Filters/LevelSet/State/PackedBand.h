@@ -2,9 +2,9 @@
  * Lossless compact state of a surface: only data that cannot be recomputed.
  *
  * The state consists of the signs and the known nodes as bits, and the magnitudes of the potential
- * at known nodes. The layers follow from the signs, bitwise. If there are ghosts, the known nodes
- * are the active nodes, and the ghosts are computed from the active nodes. Without ghosts all nodes
- * of the layers are known.
+ * at known nodes. The layers are computed from the signs, bitwise identical. If there are ghosts,
+ * the known nodes are the active nodes, and the ghosts are computed from the active nodes. Without
+ * ghosts all nodes of the layers are known.
  */
 #ifndef PackedBand_h
 #define PackedBand_h

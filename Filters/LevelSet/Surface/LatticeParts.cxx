@@ -63,7 +63,7 @@ public:
   const Component& operator[](std::size_t i) const { return this->All[i]; }
   const Block& BlockOf(const Component& component) const { return this->Blocks[component.Block]; }
 
-  /** Returns the smallest number of a connected component. */
+  /** Returns the smallest number of the components connected with component i. */
   std::int32_t FindRoot(std::int32_t i)
   {
     while (this->Parent[i] != i)

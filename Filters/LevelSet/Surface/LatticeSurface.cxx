@@ -44,7 +44,7 @@ struct CellBlock
 /** Returns the cells of a block whose corners differ in sign. */
 LeafMask FindMixedCells(const MaskAccessor& inside, const openvdb::Coord& origin)
 {
-  LeafMask all[8], any[8]; // of the blocks ahead: bits 2, 1, 0 of the index for x, y, z
+  LeafMask all[8], any[8]; // of the block ahead by (x, y, z): index 4 x + 2 y + z
   for (int ahead = 0; ahead < 8; ++ahead)
   {
     all[ahead] = any[ahead] =

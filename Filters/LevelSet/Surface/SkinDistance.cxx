@@ -25,7 +25,7 @@ constexpr float LeastGradientNorm = .05f;
 // Not registered with the tree, so each call can create an accessor cheaply, in any thread.
 using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
-/** Reads u one node farther along an axis. If that node is in the layers, increments steps. */
+/** If the next node along an axis is in the layers, reads u at this node and increments steps. */
 void SearchAlong(const LeafTable& table, const LeafTable::Place& node, int axis, int side,
   int& steps, float& value)
 {

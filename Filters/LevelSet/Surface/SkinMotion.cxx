@@ -94,8 +94,8 @@ void FindDisplacements(const NarrowBand& band, NodeTarget& nodes, VertexMotion& 
     });
 }
 
-/** For each vertex, adds sign * distance to the target. The distance is that of the vertex moved by
- * share * displacement. If a distance is not finite, the change of this vertex is not finite. */
+/** Adds sign * d to the change of each vertex. d: distance from the target to the vertex moved by
+ * share * displacement. If d is not finite, the change is not finite. */
 void AddDistances(
   const NarrowBand& band, const Target& target, double share, double sign, VertexMotion& vertices)
 {
