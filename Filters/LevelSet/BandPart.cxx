@@ -134,7 +134,8 @@ private:
   std::int64_t Sum = 0;
 };
 
-/** Sends the first vertices of own leaves to the ranks of neighbour leaves; returns those received.
+/** Sends the first vertices of own leaves to the ranks of neighbour leaves; returns the first
+ * vertices received.
  */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {

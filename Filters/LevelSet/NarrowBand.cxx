@@ -57,7 +57,7 @@ NarrowBand::~NarrowBand()
 
 void NarrowBand::SetNumberOfThreads(int threads)
 {
-  constexpr int most = 1024; // TBB allocates memory for each
+  constexpr int most = 1024; // TBB allocates memory for each thread
   this->State->Threads = std::min(std::max(threads, 0), most);
 }
 

@@ -156,7 +156,8 @@ public:
   /**
    * Moves the surface until it is steady (IsSteady in the report), or the maximum of substeps is
    * reached. A surface is steady if its normal speed at the sample points, from all terms, is
-   * within the tolerance. The time of the surface advances. Throws like Advance.
+   * within the tolerance, or if the surface only oscillates (Displacement.h). The time of the
+   * surface advances. Throws like Advance.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
     Target& target, const ProgressFunction& progress = {});

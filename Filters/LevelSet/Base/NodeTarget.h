@@ -32,7 +32,7 @@ struct ShellLeaf
 struct Shell
 {
   std::vector<ShellLeaf> Leaves;       //< ascending by origin (x, y, z)
-  std::vector<NodeIndex> InsideLeaves; //< leaves inside, not in Leaves; in any order; on request
+  std::vector<NodeIndex> InsideLeaves; //< inside, not in Leaves; in any order; only on request
 };
 
 /** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is at the node

@@ -20,9 +20,9 @@ struct StepOfTime
 
 /**
  * Finds the step of a time. steps: ascending, at least one. A time before the first step gives the
- * first step, a time after the last step gives the last step. A time within a millionth of the
- * interval of a step gives this step, so that rounding (0.1 + 0.2 for 0.3) does not select another
- * step.
+ * first step, a time after the last step gives the last step. A time that differs from a step by at
+ * most a millionth of the interval gives this step, so that rounding (0.1 + 0.2 for 0.3) does not
+ * select another step.
  */
 ACTIVELEVELSET_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
 

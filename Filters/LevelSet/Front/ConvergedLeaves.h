@@ -3,9 +3,9 @@
  * attraction and tension.
  *
  * A leaf has converged if its surface is slower than 0.001 h Attraction L, where h is the voxel
- * size and L the target slope. Without Tension the speed is that of the target at the sample
- * points, interpolated between the nodes. With Tension the speed is the rate of change of u at the
- * nodes of crossed edges, divided by the gradient norm. Only these nodes determine the surface, and
+ * size and L the target slope. Without Tension the speed is the target speed at the sample points,
+ * interpolated between the nodes. With Tension the speed is the rate of change of u at the nodes of
+ * crossed edges, divided by the gradient norm. Only these nodes determine the surface, and
  * reinitialisation does not change these nodes. A leaf that has converged together with its
  * neighbours is skipped: further substeps would roughen the surface. Its potential stays bitwise
  * identical, except for factors of 2 that keep gradient norms near 1.

@@ -58,8 +58,8 @@ private:
 
 /**
  * Detects a steady state up to residual oscillation: noise below the voxel size never settles. Each
- * window of substeps is as long as all windows before it. A window measures the displacement of the
- * surface since the beginning of the window.
+ * window of substeps is as long as all earlier windows together. A window measures the displacement
+ * of the surface since the beginning of the window.
  */
 class SteadyWindow
 {

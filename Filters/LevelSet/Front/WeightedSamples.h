@@ -66,7 +66,7 @@ private:
     }
   };
 
-  /** Returns the samples from the first crossing of an axis. */
+  /** Returns a leaf's samples, beginning at the first crossing along an axis. */
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE const float* FirstOf(
     const BandLeaf& leaf, std::size_t i, const SubstepBuffers& buffers)

@@ -2,7 +2,7 @@
  * A metamorphosis that arrives on time: the surface reaches a static target at a given time,
  * everywhere and from any start.
  *
- * The speed of a part of the surface is its remaining distance over the remaining time: V = -F /
+ * The speed at a point of the surface is the remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
  * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too. The
  * Attraction is constant in each of 24 intervals, and chosen so that the distances have fallen as

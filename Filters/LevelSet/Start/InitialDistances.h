@@ -16,7 +16,7 @@ namespace activesurface
 struct CrossedNodes
 {
   openvdb::BoolTree Nodes;
-  double Largest = 0.0; //< largest finite |value| there
+  double Largest = 0.0; //< largest finite |value| at the nodes
 };
 
 /** A function, negative inside, at nodes of the lattice. */

@@ -56,7 +56,7 @@ public:
 
   bool Has(const openvdb::Coord& node) const;
 
-  /** Adds a leaf without nodes unless it exists. Returns its index. */
+  /** Adds a leaf without nodes unless the leaf exists. Returns the index of the leaf. */
   std::int32_t Add(const openvdb::Coord& origin);
 
   /** Adds the leaves of all nodes in a region and of their neighbours, within the limits. Throws
@@ -64,7 +64,7 @@ public:
   void AddRegion(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
     std::size_t maximumNumberOfActiveVoxels);
 
-  /** Returns the leaf across a face. */
+  /** Returns the index of the leaf across a face, or None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign) const;
   openvdb::Coord OriginOfNext(std::size_t i, int axis, int sign) const;
 

@@ -169,8 +169,8 @@ void PartSeeds::AddPart(const TargetPart& part)
   }
 }
 
-/** Returns those of `nodes` that are in a part of the target, or in a hollow if areHollow, and
- * around which this part or hollow is wide (IsWide). */
+/** Returns the nodes in a part of the target, or in a hollow if areHollow, where the part or hollow
+ * is wide (IsWide). */
 PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) const
 {
   std::vector<double> values;
@@ -186,8 +186,8 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
   return missing;
 }
 
-/** Returns true if the part of the target contains the six nodes GetLeastSteps() from `node` along
- * the axes. Neither the lattice nor Tension removes such a part. */
+/** Returns true if the six nodes GetLeastSteps() from `node` along the axes are inside the target,
+ * or outside if isHollow. Neither the lattice nor Tension removes such a part or hollow. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
   const int steps = this->Search.GetLeastSteps();

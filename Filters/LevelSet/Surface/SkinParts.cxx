@@ -238,8 +238,7 @@ public:
   }
 
 private:
-  /** Calls visit(corner) for each triangle of this rank; corner: index of the first of three
-   * corners. */
+  /** Calls visit(corner) for each triangle of this rank; corner: three vertex numbers. */
   template <class Visit>
   void ForEachTriangle(Visit&& visit) const
   {
