@@ -59,9 +59,9 @@ void SetProperties(FuzzInput& input, SurfaceSettings& settings)
   settings.Particles.Spacing = choices & 4 ? 0.4 : Automatic;
   settings.MeshThickness = choices & 8 ? 0.5 : 0.0;
   settings.Attraction = 1.0;
-  settings.Law.Transport = choices & 16 ? 1.0 : 0.0;
+  settings.Parameters.Transport = choices & 16 ? 1.0 : 0.0;
   settings.Tension = choices & 32 ? 0.01 : 0.0;
-  settings.Law.CreateParts = true;
+  settings.Parameters.CreateParts = true;
 }
 
 void AskTarget(MovingTarget& target)

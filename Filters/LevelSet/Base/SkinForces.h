@@ -12,8 +12,8 @@ namespace activesurface
 
 struct SkinForces
 {
-  const Motion& Strategy;
-  Target& Attractor;
+  const Motion& Parameters;
+  activesurface::Target& Target;
   double StartArea;
   double StartVolume;
   /** Times of the frames before and after the surface's time. Used only by the node scheme. */

@@ -64,7 +64,7 @@ struct SampleLeaf
 {
   const SampledLattice& Lattice;
   const Motion& Parameters;
-  const Target& Source;
+  const activesurface::Target& Target;
   SubstepBuffers& Buffers;
   std::atomic<std::size_t>& Dropped;
 
@@ -85,7 +85,7 @@ struct SampleLeaf
     this->Buffers.LargestTargetSlope[i] = 0.0;
     if (count > 0)
     {
-      this->Source.Evaluate(count, points, { values, slopes });
+      this->Target.Evaluate(count, points, { values, slopes });
       this->Store(i, count, values, slopes);
     }
   }
@@ -139,7 +139,7 @@ std::size_t NumberSamples(
 template <class Kernel>
 void RunSamples(const SampledLattice& lattice, const LeafList& leaves, const Kernel& sample)
 {
-  if (sample.Source.IsThreadSafe())
+  if (sample.Target.IsThreadSafe())
   {
     ForEachLeaf(lattice.Leaves, leaves, sample);
   }

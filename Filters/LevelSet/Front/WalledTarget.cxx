@@ -19,7 +19,7 @@ double WalledTarget::DistanceBeyond(const double x[3]) const
 void WalledTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
 {
-  this->Within.Evaluate(count, points, results);
+  this->Wrapped.Evaluate(count, points, results);
   double *values = results.Values, *slopes = results.Slopes;
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -27,7 +27,7 @@ class WalledTarget : public Target
 public:
   /** The caller owns all arguments; obstacle may be null. */
   WalledTarget(Target& target, const Walls& walls, const Obstacle* obstacle = nullptr)
-    : Within(target)
+    : Wrapped(target)
     , Box(walls)
     , Solid(obstacle)
   {
@@ -36,29 +36,29 @@ public:
   /** Returns true if there are walls or an obstacle. */
   bool IsCut() const { return this->Box.Present || this->Solid; }
 
-  void MoveTo(double time) override { this->Within.MoveTo(time); }
+  void MoveTo(double time) override { this->Wrapped.MoveTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
   {
-    return this->Within.MayHaveChanged(bounds);
+    return this->Wrapped.MayHaveChanged(bounds);
   }
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
-  bool HasRegions() const override { return this->Within.HasRegions(); }
-  std::size_t CountRegionSources() const override { return this->Within.CountRegionSources(); }
+  bool HasRegions() const override { return this->Wrapped.HasRegions(); }
+  std::size_t CountRegionSources() const override { return this->Wrapped.CountRegionSources(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override
   {
-    this->Within.VisitRegions(first, end, visit);
+    this->Wrapped.VisitRegions(first, end, visit);
   }
-  void ForEachPart(const PartVisitor& visit) const override { this->Within.ForEachPart(visit); }
+  void ForEachPart(const PartVisitor& visit) const override { this->Wrapped.ForEachPart(visit); }
   bool IsThreadSafe() const override
   {
-    return this->Within.IsThreadSafe() && (!this->Solid || this->Solid->IsThreadSafe());
+    return this->Wrapped.IsThreadSafe() && (!this->Solid || this->Solid->IsThreadSafe());
   }
 
 private:
   double DistanceBeyond(const double x[3]) const;
 
-  Target& Within;
+  Target& Wrapped;
   const Walls& Box;
   const Obstacle* Solid;
 };

@@ -26,8 +26,8 @@ class ArrivingTarget : public Target
 {
 public:
   /** The caller owns all arguments. */
-  ArrivingTarget(Target& goal, const RemainingDistance& remaining, double voxelSize)
-    : Goal(goal)
+  ArrivingTarget(Target& target, const RemainingDistance& remaining, double voxelSize)
+    : Wrapped(target)
     , Remaining(remaining)
     , VoxelSize(voxelSize)
   {
@@ -40,12 +40,12 @@ public:
   bool MayHaveChanged(const double bounds[6]) const override;
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
-  bool IsThreadSafe() const override { return this->Goal.IsThreadSafe(); }
+  bool IsThreadSafe() const override { return this->Wrapped.IsThreadSafe(); }
 
 private:
   void Lengthen(double remaining, double& value, double& slope) const;
 
-  Target& Goal;
+  Target& Wrapped;
   const RemainingDistance& Remaining;
   const double VoxelSize;
   bool IsAwake = true;  //< all leaves count as changed in the current substep
@@ -54,20 +54,20 @@ private:
 
 void ArrivingTarget::MoveTo(double time)
 {
-  this->Goal.MoveTo(time);
+  this->Wrapped.MoveTo(time);
   this->IsAwake = this->HasWoken;
   this->HasWoken = false;
 }
 
 bool ArrivingTarget::MayHaveChanged(const double bounds[6]) const
 {
-  return this->IsAwake || this->Goal.MayHaveChanged(bounds);
+  return this->IsAwake || this->Wrapped.MayHaveChanged(bounds);
 }
 
 void ArrivingTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
 {
-  this->Goal.Evaluate(count, points, results);
+  this->Wrapped.Evaluate(count, points, results);
   constexpr std::size_t batch = 128;
   bool grow[batch];
   double remaining[batch];
@@ -152,7 +152,7 @@ std::size_t CreateCores(
 
 struct Arrival::Members
 {
-  Target& Goal;
+  activesurface::Target& Target;
   RemainingDistance Remaining;
 };
 
@@ -177,10 +177,10 @@ Arrival::~Arrival() = default;
 AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const Motion& motion,
   const ProgressFunction& progress) const
 {
-  ArrivingTarget target(this->State->Goal, this->State->Remaining, band.GetVoxelSize());
+  ArrivingTarget target(this->State->Target, this->State->Remaining, band.GetVoxelSize());
   AdvanceReport sum;
-  Motion law = motion;
-  law.CreateParts = false;
+  Motion part = motion;
+  part.CreateParts = false;
   const double begin = band.GetTime();
   double from = begin, to = begin;
   const ProgressFunction inPart = [&](double done)
@@ -188,10 +188,10 @@ AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const 
   while (from < std::min(time, end) && !sum.Aborted)
   {
     const Interval interval = FindInterval(from, end);
-    law.Attraction = interval.Attraction;
+    part.Attraction = interval.Attraction;
     target.Wake();
     to = std::min(interval.End, time);
-    const AdvanceReport report = band.Advance(to, law, target, inPart);
+    const AdvanceReport report = band.Advance(to, part, target, inPart);
     AddWork(sum, report);
     sum.Aborted = report.Aborted;
     from = band.GetTime();
@@ -199,7 +199,7 @@ AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const 
   if (from < time && !sum.Aborted)
   {
     to = time;
-    const AdvanceReport report = band.Advance(to, motion, this->State->Goal, inPart);
+    const AdvanceReport report = band.Advance(to, motion, this->State->Target, inPart);
     AddWork(sum, report);
     sum.Aborted = report.Aborted;
   }
@@ -210,10 +210,10 @@ AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const 
 std::vector<float> Arrival::FindSpeeds(
   const NarrowBand& band, double end, const SkinForces& forces) const
 {
-  ArrivingTarget target(this->State->Goal, this->State->Remaining, band.GetVoxelSize());
-  Motion law = forces.Strategy;
-  law.Attraction = 1.0 / (end - band.GetTime());
-  return activesurface::FindSpeeds(band, { law, target, forces.StartArea, forces.StartVolume });
+  ArrivingTarget target(this->State->Target, this->State->Remaining, band.GetVoxelSize());
+  Motion motion = forces.Parameters;
+  motion.Attraction = 1.0 / (end - band.GetTime());
+  return activesurface::FindSpeeds(band, { motion, target, forces.StartArea, forces.StartVolume });
 }
 
 }

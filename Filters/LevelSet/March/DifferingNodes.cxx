@@ -162,10 +162,10 @@ std::vector<double> DifferingNodes::EvaluateAt(const Places& places) const
     {
       points[i] = places[first + i / 3][i % 3] * this->GetSpacing();
     }
-    this->Search.Goal.Evaluate(count, points, { values.data() + first, slopes });
+    this->Search.Target.Evaluate(count, points, { values.data() + first, slopes });
   };
   const std::size_t batches = (places.size() + batch - 1) / batch;
-  if (this->Search.Goal.IsThreadSafe())
+  if (this->Search.Target.IsThreadSafe())
   {
     tbb::parallel_for(std::size_t{ 0 }, batches, evaluate);
   }

@@ -29,7 +29,7 @@ struct ArrivalSearch
   const LeafTable& Leaves;
   const PotentialTree& Potential;
   double VoxelSize;
-  const Target& Goal;
+  const activesurface::Target& Target;
   std::array<double, 6> Bounds; // xmin xmax ymin ymax zmin zmax
 };
 

@@ -50,7 +50,7 @@ public:
   std::vector<PartCore> Find()
   {
     this->AddBarelyReached();
-    this->Search.Goal.ForEachPart([this](const TargetPart& part) { this->TryPart(part); });
+    this->Search.Target.ForEachPart([this](const TargetPart& part) { this->TryPart(part); });
     for (const openvdb::Coord& place : this->Nodes.FindDiffering(this->MakeLattice()))
     {
       this->Nodes.AddFrom(place);

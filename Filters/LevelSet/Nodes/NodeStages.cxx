@@ -90,7 +90,7 @@ template <int W>
 struct StageKernel
 {
   const NodeFields& Fields;
-  const StageCoefficients& Law;
+  const StageCoefficients& Coefficients;
   int Count;
   float Shift; // added to the potential, within the slack
 
@@ -150,7 +150,7 @@ private:
    * to their stable limit, wider differences compute the rest. */
   ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& bulk) const
   {
-    if (!(this->Law.Tension > 0.f))
+    if (!(this->Coefficients.Tension > 0.f))
     {
       return AllLanes(0.f);
     }
@@ -180,9 +180,10 @@ private:
 
   ACTIVE_ALWAYS_INLINE Lanes FindTension(const Lanes& bulk) const
   {
-    const Lanes tension = AllLanes(this->Law.Tension), full = SmoothStep(FullFrom, FullTo, bulk);
+    const Lanes tension = AllLanes(this->Coefficients.Tension),
+                full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes weight = bulk * (AllLanes(TensionOfHalf) + AllLanes(1.f - TensionOfHalf) * full);
-    return this->Law.IsWeighted ? tension * weight : tension;
+    return this->Coefficients.IsWeighted ? tension * weight : tension;
   }
 
   ACTIVE_ALWAYS_INLINE Lanes Advance(
@@ -190,8 +191,8 @@ private:
   {
     const Lanes one = AllLanes(1.f), miss = psi - u;
     const float share = 1.f / static_cast<float>(this->Count);
-    Lanes rate = AllLanes(this->Law.Decay), lambda = one;
-    if (this->Law.Noise > 0.f)
+    Lanes rate = AllLanes(this->Coefficients.Decay), lambda = one;
+    if (this->Coefficients.Noise > 0.f)
     {
       this->Slow(u, miss, pull, bulk, rate, lambda);
     }
@@ -212,11 +213,11 @@ private:
     const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes body = Least(bulk + bulk, one);
     // The noise grows with |u|: away from the skin the slope of u is not 1, and frames differ more.
-    const Lanes noise =
-      (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
+    const Lanes noise = (one + AllLanes(NoiseOfFull - 1.f) * full) *
+      AllLanes(this->Coefficients.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
     rate *= slow + (one - slow) * Step(miss, noise);
-    const Lanes slowest = Least(AllLanes(this->Law.Decay * SlowestShare) / rate, one);
+    const Lanes slowest = Least(AllLanes(this->Coefficients.Decay * SlowestShare) / rate, one);
     const Lanes off = Step(miss * rate + pull, rate * AllLanes(Imbalance) * noise);
     lambda = slowest + (one - slowest) * ((one - body) + body * off);
     lambda = Pick(body > AllLanes(0.f), lambda, one);
@@ -293,27 +294,28 @@ private:
 };
 
 template <int W>
-void RunStage(const NodeFields& fields, const StageCoefficients& law, int count, float shift)
+void RunStage(
+  const NodeFields& fields, const StageCoefficients& coefficients, int count, float shift)
 {
-  fields.Leaves.RunKernel(StageKernel<W>{ fields, law, count, shift });
+  fields.Leaves.RunKernel(StageKernel<W>{ fields, coefficients, count, shift });
   std::swap(fields.Potential, fields.Room);
 }
 
 }
 
-float FindFollowedShare(const StageCoefficients& law, float miss, float bulk)
+float FindFollowedShare(const StageCoefficients& coefficients, float miss, float bulk)
 {
   float share = 1.f;
-  if (law.Noise > 0.f)
+  if (coefficients.Noise > 0.f)
   {
     const float t = std::min(std::max((bulk - FullFrom) / (FullTo - FullFrom), 0.f), 1.f);
     const float full = t * t * (3.f - 2.f * t);
-    const float q = miss / ((1.f + (NoiseOfFull - 1.f) * full) * law.Noise);
+    const float q = miss / ((1.f + (NoiseOfFull - 1.f) * full) * coefficients.Noise);
     const float power = (q * q) * (q * q);
     const float slow = 1.f - std::min(2.f * bulk, 1.f) * (1.f - SlowShare);
     share = slow + (1.f - slow) * power / (1.f + power);
   }
-  const float x = share * law.Decay / static_cast<float>(FewestStages);
+  const float x = share * coefficients.Decay / static_cast<float>(FewestStages);
   const float decayed = 1.f / (1.f + x * (1.f + x * (.5f + x * (1.f / 6.f + x / 24.f))));
   return 1.f - (decayed * decayed) * (decayed * decayed);
 }
@@ -327,30 +329,30 @@ void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   leaves.RunKernel(DistanceKernel{ leaves, potential, freedom, psi, isFree ? &slack : nullptr });
 }
 
-int CountStages(const StageCoefficients& law)
+int CountStages(const StageCoefficients& coefficients)
 {
-  if (law.Decay == 0.f && law.Tension <= TensionOfStage * FineStages)
+  if (coefficients.Decay == 0.f && coefficients.Tension <= TensionOfStage * FineStages)
   {
-    return std::max(1, static_cast<int>(std::ceil(law.Tension / TensionOfStage)));
+    return std::max(1, static_cast<int>(std::ceil(coefficients.Tension / TensionOfStage)));
   }
   constexpr float most = 1e6f;
-  const float wanted = std::min(std::ceil(law.Tension / TensionOfStages), most);
-  const int fewest = law.Decay == 0.f ? FineStages : FewestStages;
+  const float wanted = std::min(std::ceil(coefficients.Tension / TensionOfStages), most);
+  const int fewest = coefficients.Decay == 0.f ? FineStages : FewestStages;
   return std::max(fewest, static_cast<int>(wanted));
 }
 
-void RunStages(const NodeFields& fields, const StageCoefficients& law)
+void RunStages(const NodeFields& fields, const StageCoefficients& coefficients)
 {
-  const int count = CountStages(law);
+  const int count = CountStages(coefficients);
   const float borne = TensionOfStage * static_cast<float>(count);
   VolumeKeeper keeper(fields);
   for (int stage = 0; stage < count; ++stage)
   {
     fields.Halo.Refresh(fields.Potential);
     const float shift = keeper.FindShift();
-    law.Tension <= borne         ? RunStage<1>(fields, law, count, shift)
-      : law.Tension <= 5 * borne ? RunStage<2>(fields, law, count, shift)
-                                 : RunStage<4>(fields, law, count, shift);
+    coefficients.Tension <= borne         ? RunStage<1>(fields, coefficients, count, shift)
+      : coefficients.Tension <= 5 * borne ? RunStage<2>(fields, coefficients, count, shift)
+                                          : RunStage<4>(fields, coefficients, count, shift);
   }
 }
 

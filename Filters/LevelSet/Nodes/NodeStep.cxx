@@ -61,29 +61,30 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   this->Confine(this->Psi, frame, motion);
   this->FetchOld(frame, target);
   this->Carry(frame, target);
-  const StageCoefficients law = this->FindLaw(frame, motion, target);
+  const StageCoefficients coefficients = this->FindCoefficients(frame, motion, target);
   RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room,
               this->Halo, this->IsFree() ? &this->Slack : nullptr },
-    law);
+    coefficients);
   this->RestOnWalls(frame, motion, target.GetWallGap());
   this->Confine(this->Potential, frame, motion);
-  this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
+  this->KeepWhatRests(frame.Old, RestingChange * coefficients.Decay);
   this->Repeat(frame, motion, target);
   this->Halo.Refresh(this->Potential);
   return this->MakeTree(frame, motion);
 }
 
-StageCoefficients NodeStep::FindLaw(
+StageCoefficients NodeStep::FindCoefficients(
   const NodeFrame& frame, const Motion& motion, const NodeTarget& target) const
 {
   // A free skin begins each frame at the target, so its tension does not depend on the duration.
   const double duration = this->IsFree() ? FactorsOfFreeSkin / motion.Attraction : frame.Duration;
-  StageCoefficients law;
-  law.Decay = this->IsFree() ? 0.f : static_cast<float>(motion.Attraction * duration);
-  law.Tension = static_cast<float>(motion.Tension * duration / (frame.VoxelSize * frame.VoxelSize));
-  law.Noise = target.GetNoise();
-  law.IsWeighted = motion.WeightedTension;
-  return law;
+  StageCoefficients coefficients;
+  coefficients.Decay = this->IsFree() ? 0.f : static_cast<float>(motion.Attraction * duration);
+  coefficients.Tension =
+    static_cast<float>(motion.Tension * duration / (frame.VoxelSize * frame.VoxelSize));
+  coefficients.Noise = target.GetNoise();
+  coefficients.IsWeighted = motion.WeightedTension;
+  return coefficients;
 }
 
 std::size_t NodeStep::CountEvaluations() const

@@ -53,7 +53,7 @@ private:
   bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;
   void Evaluate(const NodeTarget& target);
   bool IsFree() const { return this->Freedom.HalfWidth > 0.f; }
-  StageCoefficients FindLaw(
+  StageCoefficients FindCoefficients(
     const NodeFrame& frame, const Motion& motion, const NodeTarget& target) const;
   static bool IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion);
   void RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap);

@@ -141,7 +141,7 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
   vertices.Changes.resize(count);
   std::vector<std::int64_t> corners(3 * skin.GetNumberOfTriangles());
   skin.Write(vertices.Points.data(), vertices.Normals.data(), corners.data());
-  Target& target = forces.Attractor;
+  Target& target = forces.Target;
   constexpr double wholeDisplacement = 1.0;
   target.GetNodes()->PlaceNodes(
     { forces.Begin, forces.End, wholeDisplacement, band.GetVoxelSize() });
@@ -172,9 +172,9 @@ void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector
   }
   const double share = std::min(std::max((band.GetTime() - forces.Begin) / duration, 0.0), 1.0);
   const VertexMotion vertices = FindMotion(band, forces, share);
-  StageCoefficients law;
-  law.Decay = static_cast<float>(forces.Strategy.Attraction * duration);
-  law.Noise = forces.Attractor.GetNodes()->GetNoise();
+  StageCoefficients coefficients;
+  coefficients.Decay = static_cast<float>(forces.Parameters.Attraction * duration);
+  coefficients.Noise = forces.Target.GetNodes()->GetNoise();
   const double voxel = band.GetVoxelSize();
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
@@ -185,7 +185,7 @@ void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector
     }
     const double change = vertices.Changes[v];
     const double followed =
-      FindFollowedShare(law, static_cast<float>(change / voxel), vertices.Bulks[v]);
+      FindFollowedShare(coefficients, static_cast<float>(change / voxel), vertices.Bulks[v]);
     const double speed = (along - (std::isfinite(change) ? followed * change : 0.0)) / duration;
     speeds[v] += static_cast<float>(speed);
   }
@@ -277,16 +277,16 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
 void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   const std::vector<float>& curvatures, std::vector<float>& speeds)
 {
-  const Motion& motion = forces.Strategy;
+  const Motion& motion = forces.Parameters;
   SubstepBuffers buffers;
   if (motion.Attraction > 0.0)
   {
-    forces.Attractor.MoveTo(band.GetTime());
-    WalledTarget walled(forces.Attractor, motion.Box, motion.Solid);
+    forces.Target.MoveTo(band.GetTime());
+    WalledTarget walled(forces.Target, motion.Box, motion.Solid);
     const LeafTable& table = band.GetLeaves();
     const LeafList all = table.FindAll([](std::size_t) { return true; });
     SampleLeaves({ table, GetPotential(band)->tree(), band.GetVoxelSize() }, all, motion,
-      walled.IsCut() ? walled : forces.Attractor, buffers);
+      walled.IsCut() ? walled : forces.Target, buffers);
   }
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
@@ -319,7 +319,7 @@ std::vector<float> FindCurvatures(const NarrowBand& band)
 
 std::vector<float> FindSpeeds(const NarrowBand& band, const SkinForces& forces)
 {
-  const Motion& motion = forces.Strategy;
+  const Motion& motion = forces.Parameters;
   const std::vector<float> curvatures = FindCurvatures(band);
   std::vector<float> speeds(curvatures.size());
   band.Run(

@@ -230,7 +230,7 @@ Motion MotionDriver::GetMotion(int step, bool isOnNodes) const
 // attraction: rate to which an automatic tension is proportional.
 void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
 {
-  const Motion& law = this->Settings.Law;
+  const Motion& chosen = this->Settings.Parameters;
   const double pixel = this->Shapes.FindLabelPixel(step, step + 1);
   motion.Integration = TimeIntegration::Nodes;
   if (pixel > 0.0)
@@ -241,8 +241,8 @@ void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
     }
     return;
   }
-  motion.WeightedTension = law.WeightedTension;
-  motion.Transport = law.Transport;
+  motion.WeightedTension = chosen.WeightedTension;
+  motion.Transport = chosen.Transport;
   if (this->Settings.HasAutomaticTension())
   {
     motion.Tension = AutomaticTension(attraction, this->Shapes.FindSpacing());
@@ -326,7 +326,7 @@ void MotionDriver::WarnOfSubsteps(int step, const Motion& motion)
   const char* reason =
     found ? found : "Attraction below 2 / (TimeScale * interval between time steps)";
   const bool isAsked =
-    this->Settings.Integration == IntegrationChoice::Explicit || this->Settings.Law.Paper;
+    this->Settings.Integration == IntegrationChoice::Explicit || this->Settings.Parameters.Paper;
   if (motion.Integration != TimeIntegration::Nodes && !isAsked &&
     this->Settings.Inputs.TargetMoves && this->Shapes.HasParticles(step, step + 1))
   {

@@ -50,8 +50,8 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
     return;
   }
   const bool particles = outside.ParticlesAreLost;
-  const bool isHeld =
-    outside.Law.VolumeControl != Control::None || outside.Law.AreaControl != Control::None;
+  const bool isHeld = outside.Parameters.VolumeControl != Control::None ||
+    outside.Parameters.AreaControl != Control::None;
   std::ostringstream text;
   text << "At the time step " << outside.Time.Value << ", "
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
@@ -61,9 +61,9 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
        << "For a closer skin, raise Attraction"
-       << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")
-       << (outside.Law.CreateParts ? "" : ", turn CreateParts on")
-       << (outside.Law.Tension > 0.0 ? ", lower Tension" : "")
+       << (particles && outside.Parameters.Transport < 1.0 ? ", set Transport to 1" : "")
+       << (outside.Parameters.CreateParts ? "" : ", turn CreateParts on")
+       << (outside.Parameters.Tension > 0.0 ? ", lower Tension" : "")
        << ", reduce VoxelSize, or shorten the time between time steps.";
   messages.Say("outside", text.str());
 }

@@ -46,9 +46,9 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
 struct Outside
 {
   PipelineTime Time;
-  double Share;          // fraction of the target
-  const Motion& Law;     // parameters by which the skin moved
-  bool ParticlesAreLost; // Share is of the particles; otherwise of the target's inside
+  double Share;             // fraction of the target
+  const Motion& Parameters; // parameters by which the skin moved
+  bool ParticlesAreLost;    // Share is of the particles; otherwise of the target's inside
 };
 
 // Warns if more than 1 % of the target is outside the skin.

@@ -175,8 +175,8 @@ void CheckProperty(const Property& property, double value)
 
 bool SurfaceSettings::CanShareSpace() const
 {
-  const bool hasControl =
-    this->Law.VolumeControl != Control::None || this->Law.AreaControl != Control::None;
+  const bool hasControl = this->Parameters.VolumeControl != Control::None ||
+    this->Parameters.AreaControl != Control::None;
   const bool hasRadii = !this->Inputs.Arrays.front().empty();
   if (!this->UsesInput() || !this->UsesNodes() || !this->Inputs.TargetMoves ||
     this->StartsElsewhere() || this->Particles.Model != ParticleModel::Anisotropic ||
@@ -198,26 +198,26 @@ bool SurfaceSettings::CanShareSpace() const
 
 Motion SurfaceSettings::GetLaw() const
 {
-  Motion law = this->Law;
-  law.Attraction = this->Attraction == Automatic ? Motion().Attraction : this->Attraction;
-  law.Tension = this->Tension == Automatic ? 0.0 : this->Tension;
-  return law;
+  Motion motion = this->Parameters;
+  motion.Attraction = this->Attraction == Automatic ? Motion().Attraction : this->Attraction;
+  motion.Tension = this->Tension == Automatic ? 0.0 : this->Tension;
+  return motion;
 }
 
 const char* SurfaceSettings::FindWhatNeedsSubsteps() const
 {
-  const Motion& law = this->Law;
+  const Motion& motion = this->Parameters;
   const bool isSum = this->Particles.Model == ParticleModel::Sum;
   const std::pair<bool, const char*> needs[] = {
-    { law.Paper, "PaperScheme" },
+    { motion.Paper, "PaperScheme" },
     { this->Integration == IntegrationChoice::Explicit, "TimeIntegration EXPLICIT" },
     { !this->UsesInput(), "TargetFunction" },
     { this->IsEquilibrium(), "EvolutionMode EQUILIBRIUM" },
-    { law.Evaluation != TargetEvaluation::Shifted, "TargetEvaluation other than SHIFTED" },
-    { law.Gradient != GradientScheme::Upwind, "GradientScheme CENTRAL" },
-    { law.VolumeControl == Control::Penalty, "VolumeControl PENALTY" },
-    { law.AreaControl == Control::Penalty, "AreaControl PENALTY" },
-    { !law.CreateParts, "CreateParts off" },
+    { motion.Evaluation != TargetEvaluation::Shifted, "TargetEvaluation other than SHIFTED" },
+    { motion.Gradient != GradientScheme::Upwind, "GradientScheme CENTRAL" },
+    { motion.VolumeControl == Control::Penalty, "VolumeControl PENALTY" },
+    { motion.AreaControl == Control::Penalty, "AreaControl PENALTY" },
+    { !motion.CreateParts, "CreateParts off" },
     { !this->Normalize, "NormalizeTarget off" },
     { this->Invert, "InvertTarget" },
     { isSum ? this->IsoValue >= this->Particles.Threshold : this->IsoValue != 0.0,
@@ -251,17 +251,19 @@ void SurfaceSettings::Check() const
         CheckBox(property, value);
       }
     });
-  Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,
+  Require(this->Parameters.AreaControl != Control::Exact ||
+      this->Parameters.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
   Require(!this->Particles.ArePeriodic() ||
-      (this->Law.VolumeControl == Control::None && this->Law.AreaControl == Control::None),
+      (this->Parameters.VolumeControl == Control::None &&
+        this->Parameters.AreaControl == Control::None),
     "VolumeControl and AreaControl need a skin that ends within the box, but PeriodicBounds "
     "continues the skin across the sides; set both controls to NONE, or unset PeriodicBounds.");
   Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
     "ArrivalTime needs a target that stands still, but the input has time steps; set ArrivalTime "
     "to 0, or give one time step of the input.");
-  Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Law.Paper),
+  Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Parameters.Paper),
     "ArrivalTime needs distances, and is no part of the paper's scheme; turn NormalizeTarget on "
     "and PaperScheme off, or set ArrivalTime to 0.");
   CheckSteps(this->Inputs.Steps, this->Inputs.HaveOwnSteps());

@@ -95,7 +95,7 @@ struct SurfaceInputs
 // Each property is a field here or in Motion, and a line of ForEachProperty below.
 struct SurfaceSettings
 {
-  Motion Law;                    // without Attraction and Tension
+  Motion Parameters;             // without Attraction and Tension
   double Attraction = Automatic; // see GetLaw
   double Tension = Automatic;    // see GetLaw
   EvolutionMode Evolution = EvolutionMode::Transient;
@@ -133,9 +133,10 @@ struct SurfaceSettings
   bool IsEquilibrium() const { return this->Evolution == EvolutionMode::Equilibrium; }
   bool HasAutomaticAttraction() const
   {
-    return this->Attraction == Automatic && !this->Law.Paper && !this->IsEquilibrium();
+    return this->Attraction == Automatic && !this->Parameters.Paper && !this->IsEquilibrium();
   }
-  // Returns Law with Attraction and Tension: set, or the automatic values for a static target.
+  // Returns Parameters with Attraction and Tension: set, or the automatic values for a static
+  // target.
   Motion GetLaw() const;
   // Returns the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
@@ -156,7 +157,8 @@ struct SurfaceSettings
   }
   bool HasAutomaticTension() const
   {
-    return this->SmoothsParticles() && this->Law.WeightedTension && this->Tension == Automatic;
+    return this->SmoothsParticles() && this->Parameters.WeightedTension &&
+      this->Tension == Automatic;
   }
   // Time at which the surface reaches its target; 0: no arrival.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
@@ -267,7 +269,7 @@ template <class Settings, class Visitor>
 void ForEachProperty(Settings& settings, Visitor&& visit)
 {
   using namespace ranges;
-  auto& motion = settings.Law;
+  auto& motion = settings.Parameters;
   auto& particles = settings.Particles;
   ACTIVE_PROPERTY(TargetIsoValue, settings.IsoValue, Any);
   ACTIVE_PROPERTY(InvertTarget, settings.Invert, Any);

@@ -302,7 +302,7 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
   auto band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
   if (this->Shapes.StartsOnNothing())
   {
-    if (!domain || !this->Settings.Law.CreateParts)
+    if (!domain || !this->Settings.Parameters.CreateParts)
     {
       this->Messages.Say("empty", NothingToStartOn);
     }

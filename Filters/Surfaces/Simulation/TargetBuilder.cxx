@@ -150,9 +150,9 @@ TargetOptions TargetBuilder::GetOptions() const
     settings.UsesNodes() && settings.Noise != 0.0 && !settings.StartsElsewhere();
   options.LabelNoise = settings.Noise;
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
-  options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
+  options.WeighsTension = settings.UsesNodes() && settings.Parameters.WeightedTension &&
     (settings.Tension > 0.0 || settings.HasAutomaticTension());
-  options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
+  options.OpensHollows = settings.Parameters.CreateParts && !settings.Parameters.Paper;
   options.IsDomainKnown = this->DomainKnown;
   if (this->DomainKnown)
   {
