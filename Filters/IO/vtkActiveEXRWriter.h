@@ -41,8 +41,8 @@
  * - Pipeline time becomes the attribute "time".
  *
  * @par Threads
- * - All threads that vtkSMPTools may use pack the pixels, unless the program has set another
- *   number of threads for EXR files. The bytes do not depend on that number.
+ * - The pixels are packed by as many threads as vtkSMPTools uses, unless the program has set
+ *   another number for OpenEXR. The bytes do not depend on the number of threads.
  *
  * @par Errors
  * - A file is written whole or not at all: first under a temporary name in the same folder, then
@@ -87,8 +87,8 @@ public:
   /**
    * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time,
    * supported by every reader. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets,
-   * best for noise. DWAA (4): small, with loss; an error if a channel is no color, that is, not R,
-   * G, B, A or Y. Default: ZIP.
+   * best for noise. DWAA (4): small, with loss; an error if a channel is no color. Colors are R, G,
+   * B and A, also of layers, and Y. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -115,9 +115,9 @@ public:
 
   ///@{
   /**
-   * Encoding of the input's colors (arrays RGB and RGBA, and integer arrays of 3 or 4 components).
-   * LINEAR (0): linear light, written unchanged. SRGB (1): encoded for a display; all components
-   * but alpha are decoded to linear light. Default: LINEAR.
+   * Encoding of the input's colors (arrays RGB and RGBA, and unsigned char or unsigned short arrays
+   * of 3 or 4 components). LINEAR (0): linear light, written unchanged. SRGB (1): encoded for a
+   * display; all components but alpha are decoded to linear light. Default: LINEAR.
    */
   vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
   vtkGetMacro(ColorEncoding, int);

@@ -172,7 +172,7 @@ public:
   ///@}
 
   ///@{
-  /** Return the output if it has the returned class, else null. */
+  /** Return the output, or null if the output is of another class. */
   vtkImageData* GetImageOutput();
   vtkPolyData* GetPolyDataOutput();
   ///@}

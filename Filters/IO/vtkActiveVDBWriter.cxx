@@ -38,7 +38,8 @@ namespace
 
 constexpr const char* Creator = "Active Implicit Surfaces for VTK " ACTIVE_VERSION;
 
-// ParaView appends a post filter to each filter; the output is a copy.
+// Returns the data of the input. In ParaView a post filter copies the data of each filter; the
+// original is returned.
 vtkDataObject* FindData(vtkAlgorithm* consumer)
 {
   int port = 0;
@@ -136,8 +137,8 @@ bool IsFirstRank(vtkMultiProcessController* controller)
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-// Collective. Runs a part of the writing on each rank. Throws on all ranks if the part has failed
-// on one rank. Every rank has to call this function the same number of times.
+// Collective. Runs a task on each rank. Throws on all ranks if the task has failed on one rank.
+// Every rank has to call this function the same number of times.
 template <class Task>
 void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
 {

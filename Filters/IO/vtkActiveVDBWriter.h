@@ -109,10 +109,10 @@ public:
 
   ///@{
   /**
-   * Adds a grid, named after the array, for each point array of one or three components. The grids
-   * of a surface have values near the skin: those of the skin's nearest point, or integers of the
-   * nearest corner of a triangle. The grids of an image have all its values. Arrays of another
-   * number of components are an error. Default: off.
+   * Adds a grid, named after the array, for each point array of one or three components. Grids of a
+   * surface have values near the skin: floating-point numbers are interpolated at the skin's
+   * nearest point; integers are those of the nearest triangle's nearest corner. Grids of an image
+   * have all values. Arrays of another number of components are an error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);

@@ -17,8 +17,7 @@ namespace
 constexpr double ReachOfMotion = 4.5;
 // Distance from a particle of a body to the skin, minus its own radius [own radii].
 constexpr double BeyondOwnRadius = 0.1;
-// Half width of the shell around the skin [voxels]. A gap of two own radii between particles can be
-// inside their body, so the shell includes such a gap.
+// Least half width of the shell around the skin [voxels]. See FindShellRadius.
 constexpr double Band = 3.0;
 // A longer displacement counts as none [voxels].
 constexpr double LongestDisplacement = 1e6;
@@ -141,6 +140,8 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
 }
 
 // Returns the radius of a ball around a particle [length]. All nodes in this ball are in the shell.
+// A gap of two own radii between particles can be inside their body, so the shell includes such a
+// gap.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
   // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be

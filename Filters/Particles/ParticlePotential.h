@@ -3,8 +3,7 @@
 // Functions and explicit substeps use this potential. The node scheme uses ParticleNodes.h, which
 // evaluates S at nodes.
 //
-// F and its gradient are bitwise identical for any batch, thread and instruction set, and do not
-// depend on particles whose supports do not contain the point.
+// F and its gradient are bitwise identical for any batch, thread and instruction set.
 
 #ifndef ParticlePotential_h
 #define ParticlePotential_h

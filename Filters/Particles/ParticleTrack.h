@@ -19,9 +19,9 @@ namespace activesurface
 
 // Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
 // 0, or without a later step, these are the particles of the earlier step. Otherwise these are the
-// particles of the earlier step, then those of only the later step, in the order of their steps.
-// Particles whose strength has faded to zero are omitted. In a periodic box each particle is
-// replaced by its copies in the box and the margin.
+// particles of the earlier step, then the particles that only the later step has, in the order of
+// each step. Particles whose strength has faded to zero are omitted. In a periodic box each
+// particle is replaced by its copies in the box and the margin.
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:

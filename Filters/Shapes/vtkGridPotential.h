@@ -228,7 +228,7 @@ public:
   VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);
 
   /**
-   * Points near the surface of a level, without the transform; none if unavailable. Reads the
+   * Points near the surface F = `level`, without the transform; none if unavailable. Reads the
    * input.
    */
   VTK_WRAPEXCLUDE activesurface::SurfacePoints FindSurface(double level);

@@ -39,8 +39,8 @@ std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels);
 // Names the channels of an array with `components` components; `color` if they are colors.
 std::vector<std::string> NameChannels(const std::string& array, int components, bool color);
 
-// Returns true for channels that lossy compression may change: R, G, B, A or Y, of the picture or a
-// layer.
+// Returns true for channels that lossy compression may change: R, G, B and A of the picture or a
+// layer, and Y of the picture.
 bool IsColorChannel(const std::string& channel);
 
 }

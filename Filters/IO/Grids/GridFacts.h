@@ -24,7 +24,8 @@ void GetActiveBox(const VDBGrid* grid, int box[6]);
 
 void GetVoxelSize(const VDBGrid* grid, double size[3]);
 
-// Return metadata as text: the value of a name, empty if there is none; or a line for each entry.
+// Return metadata as text: GetMetadata the value of a name, or an empty text; GetAllMetadata a line
+// for each entry.
 std::string GetMetadata(const openvdb::MetaMap* metadata, const std::string& name);
 std::string GetAllMetadata(const openvdb::MetaMap* metadata);
 

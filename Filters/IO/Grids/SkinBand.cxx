@@ -65,7 +65,7 @@ public:
     }
   }
 
-  // Tries the triangles of the voxels in a box that are closer than the current distance.
+  // Tries the triangles of those voxels in a box that are closer to the node than `nearest`.
   void TryBox(Reader& first, const Coord& lower, const Coord& upper, const Vec3d& node,
     Nearest& nearest) const
   {

@@ -34,7 +34,7 @@ struct PointArrays
   vtkPointData* Passed = nullptr; // all arrays that the skin may show
 };
 
-// Totals over all ranks of a frame that is distributed.
+// Totals of a distributed frame over all ranks.
 struct WholeFrame
 {
   std::size_t Points = 0;
@@ -94,7 +94,7 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
   // Adds an offset to all positions.
   void MoveBy(const double offset[3]);
 
-  // Computes the box of the supports of all particles, on all ranks; returns false without
+  // Computes the box of the supports of the particles of all ranks. Returns false without
   // particles.
   bool GetBounds(double bounds[6]) const;
 };

@@ -109,7 +109,7 @@ std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earli
 }
 
 // Particles are shuffled if the median displacement, after subtraction of the mean, exceeds 20 % of
-// the cloud's diagonal.
+// the diagonal of the particles' box (or the periodic box).
 bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
   const PeriodicBox& box)
 {

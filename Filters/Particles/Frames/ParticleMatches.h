@@ -1,10 +1,10 @@
 // Matches the particles of two steps of the input, and defines their motion in between.
 //
-// A particle moves in a straight line to its position in the next step, in a periodic box to the
-// nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
-// Without ids the particles are matched by their index, if the two steps have equally many points.
-// Indices are ignored if matching by index would move most particles across the cloud. This happens
-// if the order of the particles differs between the steps.
+// A particle moves in a straight line to its position in the next step. In a periodic box, the
+// particle moves to the nearest copy of this position. Its radius and strength change linearly.
+// Particles are matched by their ids. Without ids the particles are matched by their index, if the
+// two steps have equally many points. Indices are ignored if the order of the particles seems to
+// differ between the steps (AreShuffled).
 //
 // Let f be the fraction of the interval. A particle without a partner in the next step dies: its
 // strength is multiplied by (1-f). A particle without a partner in the earlier step is born: its
@@ -32,7 +32,7 @@ struct ParticleMatches
   std::vector<std::size_t> Partners;
   std::vector<std::size_t> Deaths; // earlier particles without a partner, ascending
   std::vector<std::size_t> Births; // later particles without a partner, ascending
-  bool AreShuffled = false;        // equal indices are different particles
+  bool AreShuffled = false;        // an index means different particles in the two steps
 };
 
 VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
@@ -59,8 +59,8 @@ VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
-// Returns true if equal indices are different particles. displacements: samples from the whole
-// frame, in any order. `earlier` may contain only a part of the frame.
+// Returns true if an index seems to mean different particles in the two steps. displacements:
+// samples from the whole frame, in any order. `earlier` may contain only a part of the frame.
 VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
   const ParticleFrame& earlier, const PeriodicBox& box);
 

@@ -11,8 +11,8 @@ namespace activesurface
 namespace
 {
 
-// Maximum number of balls of a segment. Shorter segments have one ball per radius of length; the
-// balls of longer segments are larger.
+// Maximum number of balls of a segment. A segment has one ball per radius of length, or this
+// maximum of larger balls.
 constexpr double MostBalls = 64.0;
 // Factor of squared radii: allows for the rounding of squared distances.
 constexpr double Rounding = 1.0 + 1e-9;
@@ -86,7 +86,7 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
 }
 
-// Balls smaller than the rounding error count as large as this error.
+// Treats a ball smaller than the rounding error as if its radius were the rounding error.
 int ElementIndex::LevelOf(const Ball& ball) const
 {
   return std::ilogb(std::max(ball.Radius, this->Slack));

@@ -1,9 +1,9 @@
 // Finds the elements of a skeleton whose supports may contain a point.
 //
 // Supports are balls; a long segment consists of several balls. Balls of sizes within a factor of
-// two are listed in the cells of one lattice, by their centres. Cells are as wide as the largest
-// ball, so a search visits 27 cells of each lattice. Cells are found by a hash: memory is
-// O(elements), independent of the extent.
+// two are listed in the cells of one lattice, by their centres. A cell is as wide as the largest
+// radius in the lattice, so the search for a point visits 27 cells of each lattice. Cells are found
+// by a hash: memory is O(elements), independent of the extent.
 
 #ifndef ElementIndex_h
 #define ElementIndex_h

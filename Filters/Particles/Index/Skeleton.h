@@ -19,8 +19,8 @@ struct VTKACTIVEPARTICLES_EXPORT SkeletonVertex
   double Radius;
   double Strength;
 
-  // Returns true if the numbers are finite, and of a magnitude (1e-100 to 1e100) that allows
-  // squares and quotients.
+  // Returns true if no number exceeds 1e100 in magnitude and the radius is at least 1e-100, so that
+  // squares and quotients are finite.
   bool IsUsable() const;
 };
 
@@ -31,8 +31,8 @@ struct SkeletonWeight
   double Weight;
 };
 
-// Returns d / R: at the distance d from an element of strength 1 and support radius R, the kernel
-// equals a level in ]0,1[. The surface of an isolated element at this level has the radius d.
+// Returns the distance [support radii] at which the kernel equals `level` (between 0 and 1). The
+// surface of an isolated element of strength 1 has this radius.
 VTKACTIVEPARTICLES_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double level);
 
 class VTKACTIVEPARTICLES_EXPORT Skeleton

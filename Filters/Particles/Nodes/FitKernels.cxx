@@ -12,8 +12,8 @@ namespace activesurface
 namespace
 {
 
-// Limits of the distance from a particle to the mean of its neighbours, divided by the
-// neighbourhood's radius: 0.24 in the flat surface layer of a deep body, below 0.1 inside.
+// Deep grows from 0 to 1 between these distances to the mean of the neighbours [radii of the
+// neighbourhood]. The distance is 0.24 in a deep body's flat surface layer, below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
@@ -21,12 +21,12 @@ constexpr float FullDepth = .22f;
 // for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
-// Limits of the density of the neighbours that detect a body, in particles per (2 r)^3. The density
+// Bulk grows from 0 to 1 between these densities of neighbours [particles per (2 r)^3]. The density
 // is 0.28 in a sheet of one layer, 0.63 in a deep body's outermost layer, 0.87 in the next layer.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Least support radius, as a fraction of that in a body, and the densities between which it grows.
+// Least support radius [radius in a body], and the densities between which the radius grows.
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;

@@ -4,8 +4,8 @@
 // The fit of a particle near a surface is an ellipsoid with the shape of its neighbourhood (Yu and
 // Turk 2013); see NodeFits.h for the strength. The support radius grows with the density of the
 // neighbours, and is least for an isolated particle. The kernels of small drops therefore overlap
-// less. A ball is a little larger than its particle, to compensate for the volume that its
-// triangles lose.
+// less. The ball of an isolated particle is a little larger than the particle, to compensate for
+// the volume that triangulation loses.
 
 #ifndef FitKernels_h
 #define FitKernels_h
@@ -80,7 +80,7 @@ struct GroupFits
   alignas(32) float Reach[8];     // longest half-axis
   alignas(32) float Lone[8];      // kernel at the surface of an isolated particle
   alignas(32) float Away[3][8];   // from the particle to the expected surface of a body
-  alignas(32) float Across[3][8]; // from the particle to that of a sheet or thread
+  alignas(32) float Across[3][8]; // to the expected surface of a sheet or thread
 };
 
 // Weight of a neighbour at the distance d: its strength * (1 - d^2/W^2)^2, with its own W =
@@ -109,7 +109,8 @@ struct PointSums
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, PointSums& sums);
 
-// Sums weight * Share and weight * Share * Lack over the neighbours, at the group's positions.
+// Sums k * Share and k * Share * Lack over the neighbours, at the group's positions. The kernel k
+// is (1 - d^2/W^2)^2, see WeightColumns. NodeFits.cxx finds Share and Lack.
 struct ShareColumns
 {
   const float* InverseWide2;

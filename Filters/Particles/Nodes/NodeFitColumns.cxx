@@ -76,8 +76,8 @@ bool NodeFits::FindOutward(std::uint32_t k, float (&outward)[3]) const
   return true;
 }
 
-// A ghost that is near the surface on its owner's rank is so on this rank, and has a row: this rank
-// knows fewer particles, so fewer cells are full.
+// A ghost near the surface on its owner's rank is near the surface and has a row on this rank, too:
+// this rank knows fewer particles, so fewer cells are full.
 void NodeFits::ShareShapes()
 {
   struct SharedShape

@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-// Distance from a particle to the end of its kernel, minus its own radius [own radii].
+// Bound on the distance from a particle's cube to the end of its kernel [own radii].
 constexpr double BeyondDense = 3.6;
 
 // Cells are at least 1 / CellsOfVoxel of a voxel wide.

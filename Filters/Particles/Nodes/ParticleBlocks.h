@@ -1,7 +1,7 @@
 // Particles sorted by cells, in blocks of 8^3 cells; and the shell, the cells that may contain
 // their surface.
 //
-// A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills a
+// A cell is at least as wide as the smallest particle, twice its own radius. Each particle fills a
 // cube of its own size. Cells with a full neighbourhood, and cells far from any particle, contain
 // no surface. The remaining cells are the shell. The filling is an integer sum, independent of the
 // order of particles.
@@ -162,7 +162,7 @@ public:
     }
     return shell;
   }
-  // Returns true if kernels of particles in a part touch the shell.
+  // Returns true if kernels of particles in a part may touch cells that are not full.
   static bool IsNearSurface(const Block& block, int x, int y, int z)
   {
     constexpr std::uint64_t part = 0x0303;
@@ -263,7 +263,7 @@ private:
 
   double VoxelSize = 1.0;
   double CellSize = 1.0;
-  int OutwardOfDense = 1; // cells
+  int OutwardOfDense = 1; // from a dense cell to a node beyond the skin [cells]
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;

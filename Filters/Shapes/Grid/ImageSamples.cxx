@@ -257,9 +257,9 @@ double ImageSamples::GetSample(const int pixel[3]) const
 }
 
 // Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
-// at most about 4 million pixels. The area of a crossing is the cross-section between lines, times
-// |n_axis|. The crossings along one axis then have the area n_axis^2 of a surface element, and
-// those along all axes its whole area: n_x^2 + n_y^2 + n_z^2 = 1.
+// at most about 4 million pixels. The area of a crossing is |n_axis| times the cross-section of a
+// pixel. Along one axis the areas of the crossings add up to n_axis^2 times the surface's area;
+// along all axes to the surface's area (if skip is 1), because n_x^2 + n_y^2 + n_z^2 = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

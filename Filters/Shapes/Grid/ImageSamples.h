@@ -19,7 +19,7 @@ namespace activesurface
 
 struct ImageLevel
 {
-  std::string ArrayName; // empty: the active scalars, otherwise the first array of one component
+  std::string ArrayName; // empty: the active scalars, else the first array of one component
   double IsoValue = 0.0;
   bool InvertInside = false;
   double Beyond = -1.0; // value outside the image's box; negative: the distance to the box

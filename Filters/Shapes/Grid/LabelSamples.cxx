@@ -23,8 +23,8 @@ namespace activesurface
 namespace
 {
 
-// Width of the margin around the label [pixels]. Points beyond the margin have its largest
-// distance.
+// Width of the margin around the label [pixels]. The distance of points beyond the margin is
+// LabelMargin - 1/2.
 constexpr int LabelMargin = 4;
 
 using Box = std::array<int, 6>;
@@ -95,7 +95,7 @@ private:
   }
 };
 
-// Larger than the square of any distance; the sum of two does not overflow.
+// Larger than the square of any distance; twice this number does not overflow.
 constexpr std::int32_t Unknown = 1 << 29;
 
 // Replaces each number of a line by the least number(j) + (i - j)^2 over the line.

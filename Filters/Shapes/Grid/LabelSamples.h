@@ -21,13 +21,13 @@ class GridSamples;
 
 struct LabelFacts
 {
-  double Volume = 0.0;       // of its pixels; 0: the image has no label
+  double Volume = 0.0;       // of the label's pixels; 0: the image has no label
   double LeastPixel = 0.0;   // shortest side of a pixel [length]
   double LargestPixel = 0.0; // longest side of a pixel
 };
 
-// Returns the distances for the pixels whose active scalar is above the level, and sets the facts.
-// Returns null if no pixel is above. Throws std::invalid_argument like ImageSamples.
+// Returns the distances for the pixels whose active scalar is above the level, and sets `facts`.
+// Returns null if there are no such pixels. Throws std::invalid_argument like ImageSamples.
 VTKACTIVESHAPES_EXPORT std::shared_ptr<const GridSamples> MakeLabelSamples(
   vtkImageData* image, double level, LabelFacts& facts);
 

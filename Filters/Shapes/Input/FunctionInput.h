@@ -23,8 +23,8 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // SetData and Connect replace any earlier input. They return true if the input has changed; the
-  // time of the change is later than every time that FindMTime has returned.
+  // SetData and Connect replace any earlier input. Both return true if the input has changed; the
+  // function then has to call Modified().
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
 
