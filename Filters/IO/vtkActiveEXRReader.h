@@ -24,8 +24,8 @@
  * @par Pixels
  * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
  *   whatever the file's own coordinates.
- * - The extent is the data window (see Window). It may begin at any pixel, and exceed the display
- *   window.
+ * - The extent is the data window (see Window). The data window may begin at any pixel, and exceed
+ *   the display window.
  *
  * @par Series
  * - Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are

@@ -2,8 +2,8 @@
  * @class   vtkActiveEXRWriter
  * @brief   writes an image, with all its point arrays, as an .exr file of many layers
  *
- * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by the
- * convention of layers in .exr files.
+ * The input is an image of one slice (x * y * 1 points). The image's point arrays become channels
+ * by the convention of layers in .exr files.
  *
  * @par Channels
  *   | Array of the image            | Channels of the file           |
@@ -163,8 +163,8 @@ public:
   ///@{
   /**
    * Matrix from world to camera coordinates (attribute worldToCamera: x to the right, y up, z
-   * ahead). The matrix multiplies column vectors, as in VTK. The file contains its transpose in
-   * single precision. Default: none.
+   * ahead). The matrix multiplies column vectors, as in VTK. The file contains the transposed
+   * matrix in single precision. Default: none.
    */
   void SetWorldToCamera(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToCamera();

@@ -10,8 +10,8 @@
  * - Any vtkImageData.
  *
  * @par Grids of a surface
- * - "surface": a level set. Its values are the exact distance to the skin's triangles [length],
- *   negative inside, within 3 voxels on either side, and +-3 voxels beyond. Its transform is exact:
+ * - "surface": a level set. The values are the exact distance to the skin's triangles [length],
+ *   negative inside, within 3 voxels on either side, and +-3 voxels beyond. The transform is exact:
  *   voxels of the skin's VoxelSize, with nodes at multiples of VoxelSize.
  * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
@@ -190,7 +190,7 @@ public:
   ///@{
   /**
    * Ranks of a parallel program, which have to call Write together. All ranks update the input, and
-   * rank 0 writes its data. A vtkActiveImplicitSurface on these ranks sends all data to rank 0.
+   * rank 0 writes its own data. A vtkActiveImplicitSurface on these ranks sends all data to rank 0.
    * With null, or a controller of a single process, this process writes. Default: VTK's global
    * controller.
    */

@@ -25,7 +25,7 @@
  *   strength changes along the segment, the gradient jumps across the planes through the ends. A
  *   piece that occurs twice counts once.
  * - Points: every point that is the end of no segment, and every point of a vertex cell. Without
- *   lines, and in any other vtkPointSet, these are all points, whatever the cells.
+ *   lines, and in any other vtkPointSet, all points are elements, whatever the cells.
  * - SetInputConnection also accepts a vtkTable and composite data sets of points, as
  *   vtkActiveImplicitSurface does.
  *
@@ -62,7 +62,8 @@
  * @par Threads
  * - Several threads may evaluate at once, as long as none modifies the function or its input.
  * - The result is bitwise identical for any number of threads and for every method. Contributions
- *   are always added in the same order: points, then joints, by point id, then segments by cell.
+ *   are always added in the same order: first points, then joints, each by point id, then segments
+ *   by cell.
  */
 
 #ifndef vtkSkeletonPotential_h
@@ -245,9 +246,9 @@ public:
 
   /**
    * Replace the input, which is released, by points, such as moving particles. positions: x y z
-   * each. radii, strengths: null for Radius and 1. The data are copied. No memory is allocated,
-   * here and in the next Build(), if there have been as many points before. Unusable points are
-   * ignored without a warning.
+   * each. radii, strengths: null for Radius and 1. The data are copied. SetElements and the next
+   * Build() allocate no memory if an earlier call had as many points. Unusable points are ignored
+   * without a warning.
    */
   VTK_WRAPEXCLUDE void SetElements(
     vtkIdType count, const double* positions, const double* radii, const double* strengths);

@@ -67,8 +67,8 @@ vtkSmartPointer<vtkDataArray> MakeArray(const EXRLayer& layer, vtkIdType pixels)
   return array;
 }
 
-// Adds an array. If its name is used already, as for a channel N and a layer N.X, N.Y, N.Z, appends
-// a number to the name.
+// Adds an array. If the array's name is in use already, as for a channel N and a layer N.X, N.Y,
+// N.Z, appends a number to the name.
 void AddUnderOwnName(vtkDataArray* array, vtkPointData* data)
 {
   const std::string name = array->GetName();

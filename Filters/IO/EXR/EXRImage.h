@@ -77,7 +77,7 @@ struct EXRSelection
 // Returns a part of a file. Throws FileError if the part does not exist or has deep data.
 const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part);
 
-// Returns the selected layers of a part. Throws FileError if there are none.
+// Returns the selected layers of a part. Throws FileError if no channel is selected.
 std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& selection);
 
 // Fills an empty image: point arrays from the layers, field data from the attributes. The extent

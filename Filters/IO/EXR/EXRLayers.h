@@ -36,7 +36,8 @@ struct EXRChannel
 // Groups channels into arrays, in display order: the picture first.
 std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels);
 
-// Names the channels of an array with `components` components; `color` if they are colors.
+// Names the channels of an array with `components` components; color: true if the components are
+// colors.
 std::vector<std::string> NameChannels(const std::string& array, int components, bool color);
 
 // Returns true for channels that lossy compression may change: R, G, B and A of the picture or a

@@ -327,7 +327,8 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
 void PlanArray(
   vtkDataArray* array, bool scalars, const EXRChoices& choices, std::vector<EXRSource>& sources)
 {
-  // Color scalars need not be named RGB: other readers and windows use PNGImage, ImageScalars.
+  // Color scalars need not be named RGB: other readers and windows name them PNGImage or
+  // ImageScalars.
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {

@@ -72,8 +72,8 @@ Leaves CollectLeaves(const PointDataGrid& grid, std::int64_t maximum, std::int64
   return leaves;
 }
 
-// Calls open(leaf) for each leaf. Calls the function that open returns, with the arguments (index
-// in the leaf, index of the point), for each point of the leaf.
+// For each leaf, calls visit = open(leaf). For each point of the leaf, calls visit(index in the
+// leaf, index of the point).
 template <class Open>
 void ForEachPoint(const Leaves& leaves, const Open& open)
 {

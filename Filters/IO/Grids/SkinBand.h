@@ -38,10 +38,10 @@ struct LatticeMesh : LatticeTriangles
   }
 };
 
-// Returns the skin on the band's lattice, in the same coordinates.
+// Returns the skin in the coordinates of the band's lattice.
 LatticeMesh MakeSkinMesh(const NarrowBand& band);
 
-// The mesh has to be that of MakeSkinMesh.
+// mesh: the result of MakeSkinMesh for this band.
 MeshBand MakeSkinBand(const NarrowBand& band, const LatticeMesh& mesh);
 
 }

@@ -1,10 +1,10 @@
 // Matches the particles of two steps of the input, and defines their motion in between.
 //
 // A particle moves in a straight line to its position in the next step. In a periodic box, the
-// particle moves to the nearest copy of this position. Its radius and strength change linearly.
-// Particles are matched by their ids. Without ids the particles are matched by their index, if the
-// two steps have equally many points. Indices are ignored if the order of the particles seems to
-// differ between the steps (AreShuffled).
+// particle moves to the nearest copy of this position. The particle's radius and strength change
+// linearly. Particles are matched by their ids. Without ids the particles are matched by their
+// index, if the two steps have equally many points. Indices are ignored if the order of the
+// particles seems to differ between the steps (AreShuffled).
 //
 // Let f be the fraction of the interval. A particle without a partner in the next step dies: its
 // strength is multiplied by (1-f). A particle without a partner in the earlier step is born: its

@@ -1,5 +1,5 @@
 // Vector whose resize leaves new elements uninitialised. The parallel tasks that fill a large array
-// then are the first to touch its memory; this first access is a large part of the work.
+// are then the first to access its memory. This first access is a large part of the work.
 
 #ifndef UnsetVector_h
 #define UnsetVector_h

@@ -61,7 +61,8 @@ public:
 
   std::size_t Size() const { return this->Rows.back(); }
 
-  // The row of a particle near a surface; for another particle the row of the next one.
+  // The row of a particle near a surface; for another particle, the row of the next particle near a
+  // surface.
   std::uint32_t operator[](std::uint32_t particle) const { return this->Rows[particle]; }
   const std::uint32_t* GetAll() const { return this->Rows.data(); }
 

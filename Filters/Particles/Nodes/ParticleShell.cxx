@@ -266,7 +266,8 @@ void ParticleBlocks::FindOpenOf(Block& block) const
   }
 }
 
-// Dilates a mask `times` times. outside: true if cells of missing blocks count as in the mask.
+// Dilates a mask `times` times. outside: true if cells of missing blocks count as cells of the
+// mask.
 void ParticleBlocks::Widen(CellMask Block::*mask, bool outside, int times)
 {
   const CellMask other = outside ? CellMask::All() : CellMask();

@@ -14,8 +14,8 @@ namespace activesurface
 constexpr vtkIdType PointsAtOnce = 256;
 constexpr vtkIdType PointsPerTask = 2048;
 
-// Evaluates the potential at the points of `input`, in parallel, and resizes the output. Several
-// threads may call EvaluateBatch of the potential at once. input: points of three components.
+// Evaluates the potential at the points of `input`, in parallel, and resizes the output. The
+// potential's EvaluateBatch has to be thread-safe. input: points of three components.
 template <class Potential>
 void EvaluateArray(const Potential& potential, vtkDataArray* input, vtkDataArray* output)
 {

@@ -23,7 +23,7 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // SetData and Connect replace any earlier input. Both return true if the input has changed; the
+  // SetData and Connect replace any earlier input, and return true if the input has changed. The
   // function then has to call Modified().
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
@@ -42,7 +42,7 @@ public:
   template <class Read>
   void ReadIfChanged(vtkMTimeType changed, Read&& read);
 
-  // Updates all of the algorithm's output at the time of the last request. Not thread-safe.
+  // Updates the algorithm's whole output at the time of the last request. Not thread-safe.
   void Update();
 
 private:
