@@ -26,8 +26,8 @@ double DecodeSRGB(double value)
   return std::copysign(linear, value);
 }
 
-// Converts a value to the sample's type. Returns false if the value does not fit; rounding of
-// fractions is accepted.
+// Converts a value to the sample's type. Returns false if the value is out of range, a fraction for
+// UINT, or an integer that FLOAT cannot represent. FLOAT and HALF round fractions.
 template <class Value>
 bool Convert(Value value, float& sample)
 {

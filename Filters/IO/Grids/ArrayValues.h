@@ -53,9 +53,9 @@ vtkSmartPointer<vtkDataArray> MakeArrayOf()
     vtkDataArray::CreateDataArray(vtkTypeTraits<StoredNumber<Number>>::VTKTypeID()));
 }
 
-// Chooses the value type of a grid that stores the array without loss, and calls function(zero)
-// with a zero of this type. Integers become 32 or 64 bits. Throws std::invalid_argument if no type
-// is suitable.
+// Chooses the value type of a grid that stores the array, and calls function(zero) with a zero of
+// this type. Integers become 32 or 64 bits; vectors of integers beyond int32 become double. Throws
+// std::invalid_argument unless the array has one or three components.
 template <class Function>
 void DispatchValues(vtkDataArray* array, Function&& function)
 {

@@ -49,7 +49,7 @@ public:
   void Add(const Capsule& support);
 
   // Call after the last element is added and before the first search. Throws std::length_error if
-  // the number of elements exceeds 32 bits.
+  // the supports need more than 2^31 - 1 balls.
   void Build();
 
   std::size_t Size() const { return this->Supports.size(); }

@@ -1,9 +1,10 @@
 // Distances to the surface of a label, the region of an image with one of its two values.
 //
-// The distance is exact at the pixels, trilinear in between, and measured in pixels, as if all
-// pixels were cubes of side 1. A skin where the distance is between -1/2 and 1/2 is within half a
-// pixel of the label's surface along each axis. The label's surface consists of the outer faces of
-// its pixels; pixels beyond the image are outside.
+// The distance at a pixel is that to the nearest pixel on the other side of the surface, minus 1/2.
+// Between pixels the distance is trilinear. The unit is a pixel, as if all pixels were cubes of
+// side 1. A skin where the distance is between -1/2 and 1/2 is within half a pixel of the label's
+// surface along each axis. The label's surface consists of the outer faces of its pixels; pixels
+// beyond the image are outside.
 
 #ifndef LabelSamples_h
 #define LabelSamples_h

@@ -22,7 +22,8 @@ struct SkeletonArrays
 };
 
 // Adds the elements to a cleared skeleton. Returns the number of elements that are ignored because
-// of unusable numbers. Throws std::invalid_argument for an array that cannot be read.
+// of unusable numbers or missing points. Throws std::invalid_argument for an array that cannot be
+// read.
 std::size_t AddElements(vtkPointSet* input, const SkeletonArrays& arrays, Skeleton& skeleton);
 
 }
