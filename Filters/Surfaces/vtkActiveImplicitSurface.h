@@ -8,13 +8,13 @@
  *
  * Normal speed, outward positive (paper, eq. (2) to (4), section 5; sign of the tension corrected):
  *
- *     Attraction * (TargetIsoValue - F) - Tension * kappa
- *     + Transport * (v . n) + AreaStiffness * (A0 - A) / A0
- *     + VolumeStiffness * (V0 - V) / V0
+ *     Attraction * (TargetIsoValue - F) - Tension * kappa + Transport * (v . n)
+ *     + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  *
  * F is the target's value or distance, reduced within TargetNoise. kappa is the sum of the
  * principal curvatures, n the outward normal, v the velocity of the target's particles. A and V are
- * the skin's area and volume; their terms need AreaControl and VolumeControl PENALTY.
+ * the skin's area and volume, A0 and V0 TargetArea and TargetVolume; the last two terms need
+ * AreaControl and VolumeControl PENALTY.
  *
  * A change of a property restarts the motion, except where its comment says otherwise. -1 is the
  * automatic value of some properties; Get...InUse returns the value that was found.
@@ -24,7 +24,7 @@
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
  *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r (half
  *   of the spacing) and kernel radius, and an automatic VoxelSize (r) and TargetReach (6 r).
- * - Table: a vtkTable of particles. Columns x, y, z (or Points:0 ...) are positions, others arrays.
+ * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
  * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
@@ -52,7 +52,7 @@
  *   steps have equally many particles in the same order; else no particles match. A particle
  *   missing in the next step fades out: its strength falls linearly to 0. A new particle fades in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
- *   interval. A part of only one shape shrinks, or grows with CreateParts; skeleton parts vanish.
+ *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
  * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
  *
  * @par Output 0: skin, a closed vtkPolyData of outward triangles
@@ -66,9 +66,8 @@
  * @par Output 1: potential, a vtkImageData
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
- * - The extent covers ModelBounds, in lattice nodes, and crops the image, not the skin. Without
- *   ModelBounds the extent covers the first target, enlarged by a quarter; before the first update
- *   that extent is available only if port 1 is connected.
+ * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. The default of
+ *   ModelBounds is unavailable before the first update, unless this port is connected.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far
  *   | Column              | Unit          | Meaning                   |
@@ -85,10 +84,10 @@
  *   | Event               |               | changes, joined by ", "   |
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
- *   count if outside by more than their own radius. Other targets count by volume in their box
- *   (functions: in ModelBounds): the points inside the target that are more than a voxel outside
- *   the skin. A volume of 1 % has a standard error of 0.16 %. Points beyond walls are ignored.
- *   Values above 1 % cause one warning, unless they fall from step to step.
+ *   count if outside by more than their own radius. Over other targets the fraction is of the
+ *   target's volume (of a function: in ModelBounds), and what is more than a voxel outside counts.
+ *   A fraction of 1 % has a standard error of 0.16 %. Points beyond walls are ignored. Values above
+ *   1 % cause one warning, unless they fall from step to step.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -166,7 +165,7 @@ public:
 
   ///@{
   /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
-   * wall (its inside with the sign inverted, as by a vtkImplicitBoolean). The skin ends on the
+   * wall (a large box minus the container's inside, by vtkImplicitBoolean). The skin ends on the
    * obstacle, closed, whatever moves the skin. F / |grad F| of the obstacle is sampled once at each
    * lattice node that comes within 8 voxels of the skin. Obstacles thinner than two voxels leak. A
    * change of the obstacle or of its transform restarts the motion. A saved state does not contain
@@ -227,9 +226,9 @@ public:
   ///@{
   /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): the paper's sum of
    * ParticleKernel at ParticleThreshold; bumpy, and with the defaults more than r too wide.
-   * ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles is flat and has their
-   * volume; an isolated particle is a ball of radius r. Lines of a skeleton are always a SUM.
-   * PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
+   * ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles has a flat surface
+   * and their volume; an isolated particle is a ball of radius r. Lines of a skeleton are always a
+   * SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
@@ -240,17 +239,17 @@ public:
   /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
    * nearest, with an array of radii at most the median diameter. A warning reports the spacing if
-   * neither KernelRadius nor radii are given. The estimate is the least of the first, middle and
-   * last time step, all read first. Steps with less than a tenth of the most particles are ignored.
-   * If the input cannot go back in time, only the first step counts. Default: -1. */
+   * neither KernelRadius nor radii are given. The estimate is the least at the first, middle and
+   * last time step, read before the start. Steps with less than a tenth of another's particles are
+   * ignored. If the input cannot go back in time, only the first step counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
-   * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated element
-   * then becomes a ball or tube of the array's radius, and its kernel ends at 4.5 times this
+   * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated particle
+   * or line then becomes a ball or tube of the array's radius. Its kernel ends at 4.5 times this
    * radius, or with SUM at the distance that gives this radius. Range: 1e-30 to 1e30, or -1,
    * automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
@@ -371,8 +370,8 @@ public:
   ///@{
   /** Amplitude [length] of noise in the target's surface. A skin within this distance of the target
    * follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of particles it is
-   * Attraction from 1.5 times this distance on. Particles move the skin of a body, as by Transport,
-   * only if they move together: velocities within the error of their mean are ignored. Drops and
+   * Attraction from 1.5 times this distance on. Transport moves the skin of a body only if its
+   * particles move together: velocities within the error of their mean are ignored. Drops and
    * threads are not affected. The skin of a fluid in a steady state is therefore smooth, does not
    * move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to
    * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, half a pixel over masks (bound of
@@ -392,7 +391,7 @@ public:
 
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
-   * between disjoint shapes. A part appears in the size that it has at that substep. Voids that
+   * between disjoint shapes. A new part has at once the size that it has in the target. Voids that
    * only the target has, deep inside the skin, are created, too. Over a mesh, an image or a
    * vtkGridPotential, such a part is a connected part or void that the skin does not meet; over
    * particles, a part that the skin does not reach by itself. Parts that Tension would remove are
@@ -412,8 +411,8 @@ public:
   ///@{
   /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
    * steps. EQUILIBRIUM (1): no time steps are published; each update moves the skin to a steady
-   * state on the first step's target. RestTolerance or MaximumNumberOfSubsteps ends the motion. The
-   * history records which, and MaximumNumberOfSubsteps causes a warning. Default: TRANSIENT. */
+   * state on the first step's target. The motion ends by RestTolerance, or with a warning by
+   * MaximumNumberOfSubsteps; the history records which. Default: TRANSIENT. */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
   vtkGetMacro(EvolutionMode, int);
   void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
@@ -543,10 +542,11 @@ public:
   ///@}
 
   ///@{
-  /** Control of the area of the skin (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
-   * with VolumeControl. With PENALTY, such a ball loses a fraction e, with e (1 - e)^(1/2) = 2
-   * Tension / (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196 Tension. EXACT is an
-   * error with VolumeControl EXACT: one displacement cannot restore both. Default: NONE. */
+  /** Control of the skin's area (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as with
+   * VolumeControl. With PENALTY, a ball of radius r0 without a target loses a fraction e, with
+   * e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196
+   * Tension. EXACT is an error with VolumeControl EXACT: one displacement cannot restore both.
+   * Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }

@@ -95,8 +95,8 @@ def choose(
     """Selects the points of a cloud, or the polygons of a mesh, that meet all conditions.
 
     A vector is compared by its length, or by a component such as v_x or v:0. x, y and z are the
-    position unless arrays have these names. A polygon is selected if all its points meet the
-    condition, or by a cell array. Texts are compared as text, numbers as numbers.
+    position unless arrays have these names. A cell array selects polygons; a point array selects
+    polygons of which all points meet the condition. Texts are compared as text, numbers as numbers.
 
     A value that the array does not contain, such as a misspelt name, causes a warning. If the array
     contains no value of a condition NAME=VALUE, an error is raised. If `note` is given, it is
@@ -211,7 +211,7 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image's points or cells except 0, or those of a particle array.
 
-    Raises ValueError if the values are no integers, or more than a thousand.
+    Raises ValueError if a value is no integer, or there are more than a thousand labels.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
@@ -230,7 +230,7 @@ def _choose_label(data: Any, label: int) -> Any:
     values = _labels_in(data)
     if not data.IsA("vtkImageData"):
         name = next(name for name in _LABEL_ARRAYS if _has(data, name))
-        return choose(data, f"{name}={label}", note=lambda _: None)  # a label of other frames
+        return choose(data, f"{name}={label}", note=lambda _: None)  # this frame may lack the label
     if not (values == label).any():
         there = few(labels_of(data), 20)
         raise ValueError(f"The image has no label {label}; it has {there}.")

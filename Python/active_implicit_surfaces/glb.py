@@ -161,7 +161,7 @@ def _describe(
 def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
     text = json.dumps(content, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    data = b"".join(numpy.ascontiguousarray(array).tobytes() for array in arrays)  # all of 4 bytes
+    data = b"".join(numpy.ascontiguousarray(array).tobytes() for array in arrays)  # 4-byte numbers
     size = 12 + 8 + len(text) + 8 + len(data)
     return b"".join(
         (

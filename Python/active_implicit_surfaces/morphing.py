@@ -60,8 +60,8 @@ class morph(Skins):
     Warns
     -----
     UserWarning
-        The shapes' sizes differ by more than half, or their distance is more than half of their
-        size.
+        The shapes' sizes differ by a factor of more than 1.5, or their centres are farther apart
+        than half of the larger size.
 
     Attributes
     ----------

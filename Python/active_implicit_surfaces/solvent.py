@@ -151,7 +151,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets the exits of points radially out of their owner, where no other ball covers them."""
+        """Sets exits at the nearest point of the owner's surface, unless another ball covers it."""
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]
@@ -171,7 +171,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Updates exits that are not radial with the arcs where a ball meets later balls."""
+        """Reduces the other exits to the distances from the arcs where a ball meets later balls."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)

@@ -64,7 +64,8 @@ public:
   // Valid only before a request for data.
   bool IsSplit(vtkInformation* information) const;
 
-  // Arrays of particles to keep: all arrays, and the array of velocities if one is chosen.
+  // Describes the particle arrays to keep. all: all arrays. velocities: the array of velocities, if
+  // one is chosen.
   ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
 
   // Reads the pieces of all ranks. areShared: each rank keeps only a part of the particles. Throws

@@ -132,8 +132,8 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   try
   {
     this->Simulation.Configure(this->FindSettings(properties));
-    const SurfaceDomain* domain = this->Simulation.FindDomain(); // ReadFirst only on one process
-    if (!domain && isWanted && this->Ranks.IsAlone())
+    const SurfaceDomain* domain = this->Simulation.FindDomain();
+    if (!domain && isWanted && this->Ranks.IsAlone()) // reading is collective on several ranks
     {
       this->ReadFirst(input);
       domain = this->Simulation.FindDomain();
@@ -302,7 +302,7 @@ void SurfaceRequests::AgreeOnRequest(
   }
 }
 
-// VTK reads a source without piece requests on rank 0 only.
+// VTK executes a source without CAN_HANDLE_PIECE_REQUEST on rank 0 only.
 void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
 {
   if (target && this->Ranks.GetRank() == 0 &&

@@ -7,7 +7,7 @@
 namespace activesurface
 {
 
-// ParaView gives each filter an executive of its own class.
+// ParaView gives each filter an executive of a class of ParaView.
 bool UserMessages::IsInParaView() const
 {
   return this->Filter->GetExecutive()->IsA("vtkPVCompositeDataPipeline");

@@ -113,14 +113,15 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.IsOnNodes(0, 0);
 }
 
-// Returns true if the target is static particles: the skin then stays as it started.
+// Returns true if the surface starts by the node scheme on a static target: the skin then stays as
+// it started.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
-// Returns a given Tension divided by the attraction of the first time step; 0 if that attraction is
-// unknown yet.
+// Returns a given Tension divided by the attraction of the first time step. Returns 0 if that
+// attraction is unknown yet, and over particles if it is automatic.
 double MotionDriver::FindTensionAtStart(const Motion& motion) const
 {
   if (!this->Settings.HasAutomaticAttraction())

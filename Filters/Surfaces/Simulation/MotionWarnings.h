@@ -46,7 +46,7 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
 struct Outside
 {
   PipelineTime Time;
-  double Share;             // fraction of the target
+  double Share;             // fraction of the target outside the skin
   const Motion& Parameters; // parameters by which the skin moved
   bool ParticlesAreLost;    // Share is of the particles; otherwise of the target's inside
 };

@@ -100,7 +100,8 @@ Pair FindPair(const PlacedParticles& particles, const char* name)
   return isMissing || !pair.IsAlike() ? Pair() : pair;
 }
 
-// The tuple of a particle at one of the two steps: the nearer of those that contain the particle.
+// The tuple of a particle at the nearer of the two steps, or at the only step that contains the
+// particle.
 struct Place
 {
   vtkAbstractArray* Array;
@@ -141,7 +142,7 @@ Column MakeColumn(const PlacedParticles& particles, const Pair& pair)
   return column;
 }
 
-// Components x, y, z, 1 of each particle; all are 0 if its velocity is unknown.
+// Components x, y, z of each particle's velocity, and 1; all are 0 if the velocity is unknown.
 Column MakeVelocityColumn(const std::vector<double>& velocities)
 {
   Column column;

@@ -65,7 +65,8 @@ struct ChosenVoxel
   const char* Source;
 };
 
-// Throws for an automatic VoxelSize beyond the range of lengths; 0 is permitted, of an empty input.
+// Throws for an automatic VoxelSize beyond the range of lengths, except 0, the size of an empty
+// input.
 void CheckVoxel(const ChosenVoxel& voxel)
 {
   const bool isLength = voxel.Size >= ranges::ShortestLength && voxel.Size <= ranges::LongestLength;
@@ -79,7 +80,7 @@ void CheckVoxel(const ChosenVoxel& voxel)
   }
 }
 
-// image: used without VoxelSize and spacing; 0: a 64th of the longest side.
+// image: voxel size for images, used without VoxelSize and spacing; 0: a 64th of the longest side.
 ChosenVoxel ChooseVoxel(
   const SurfaceSettings& settings, double longest, double particleSpacing, double image)
 {
@@ -99,7 +100,7 @@ ChosenVoxel ChooseVoxel(
     settings.HasBounds() ? "ModelBounds" : "the bounds of the input" };
 }
 
-// image: the size of a voxel that images ask for; 0: none.
+// image: voxel size for images; 0: no images.
 SurfaceDomain MakeDomainOf(
   const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double image)
 {

@@ -228,7 +228,7 @@ namespace ranges
 
 constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double Smallest = std::numeric_limits<double>::denorm_min();
-// Speeds are stored in single precision.
+// Shorter lengths are errors, because speeds are stored in single precision.
 constexpr double ShortestLength = 1e-30;
 constexpr double LongestLength = 1e30;
 

@@ -48,8 +48,8 @@ void CutAtWalls(const Walls& box, std::size_t count, const double* points, doubl
   }
 }
 
-// Subtracts the obstacle. Multiplies its depths by the slope of the shape, so that linear
-// interpolation along an edge finds the right crossing.
+// Subtracts the obstacle. Multiplies the obstacle's depths by the slope of the shape, so that
+// linear interpolation along an edge finds the right crossing.
 void CutAtObstacle(
   const SurfaceStart& start, std::size_t count, const double* points, double* values)
 {

@@ -19,14 +19,14 @@ namespace
 // Distance [voxels] at which the potential of EvaluateLeaf is 1: more than NodeLimit.
 constexpr double Farthest = 4.0;
 
-// Automatic freedom [pixels]: less than half a pixel, within which the surface of a label is
-// unknown, because conservation of volume and interpolation between nodes also displace the skin.
+// Automatic freedom [pixels]. The surface of a label is unknown within half a pixel. The freedom is
+// less, because conservation of volume and interpolation between nodes also displace the skin.
 constexpr double UsualFreedom = 0.47;
 
-// Distance in pixels where an image has no label.
+// Distance [pixels] to the label of an image that has none.
 constexpr double Absent = 3.5;
 
-// Adds the leaves that contain a box [voxels] and its neighbourhood.
+// Extends the range of leaves from `low` to `high` to the box of a grid, enlarged by Farthest.
 void AddBox(vtkImplicitFunction* function, double voxelSize, NodeIndex& low, NodeIndex& high)
 {
   double bounds[6];

@@ -25,7 +25,7 @@ public:
   // Also returns |grad F|, or 1 where |grad F| is 0 or not finite.
   void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
 
-  // Returns true if the regions contain the whole zero set.
+  // Returns true if the regions of VisitRegions contain the whole zero set.
   virtual bool IsWithinRegions() const { return false; }
 
   // Points near the zero set, for the start; none if unavailable.
