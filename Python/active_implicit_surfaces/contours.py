@@ -59,7 +59,7 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     Mask (two values): the mean of the values, inside above; if one value is negative, inside is
     the value that is rarer at the image's border. Volume fractions (most are 0 or 1): 0.5,
     inside above. Other images: 0, inside below. If `level` is given, inside is above the level
-    if most values at the image's border are below the level.
+    by these rules, or if most values at the image's border are below the level.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)

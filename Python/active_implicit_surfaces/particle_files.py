@@ -259,7 +259,7 @@ def _maker(path: Path, frame: Frame | Callable[[], Frame], noted: set[str]) -> A
 
 
 def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
-    """Returns the points of any data set with their arrays; warns if the data set is a mesh."""
+    """Returns an image, or the points of other data with their arrays; warns of a mesh."""
     if data.IsA("vtkCompositeDataSet"):
         data = _append([block for block in blocks_of(data) if block.IsA("vtkPointSet")])
     if data.IsA("vtkImageData"):

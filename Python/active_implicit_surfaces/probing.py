@@ -29,9 +29,10 @@ class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
     - probe (float): radius of the probe [length], 0 or more.
-    - preset, arrays, options: see `frames`. The class uses the array of "radii" (default: "radius")
-      and "voxel_size" (default: a quarter of the root mean square radius of the first frame). It
-      sets "voxel_size" and "attraction" in `options`, and removes "pass_target_arrays".
+    - preset, arrays, options: see `frames`; a preset raises ValueError. The class uses the array of
+      "radii" (default: "radius") and "voxel_size" (default: a quarter of the root mean square
+      radius of the first frame). It sets "voxel_size" and "attraction" in `options`, and removes
+      "pass_target_arrays".
 
     Attributes:
     - source (TemporalSource): source of the images.

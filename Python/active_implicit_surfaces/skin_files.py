@@ -120,7 +120,7 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
-    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface has no unconnected points
+    count = data.GetNumberOfElements(vtkDataObject.POINT)  # surface_of drops loose points
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     _check_corners(path, data)
@@ -185,7 +185,7 @@ def write_particles(path: Path, cloud: Any) -> None:
             with temporary.open("wb") as file:
                 numpy.savez(file, positions=positions, **arrays)
         elif suffix == ".xyz":
-            head = "" if len(positions) else "x y z"  # else an empty file
+            head = "" if len(positions) else "x y z"  # an empty file cannot be read
             numpy.savetxt(temporary, positions, fmt=_format_of(positions), header=head)
         elif suffix == ".csv":
             _write_csv(temporary, positions, arrays)

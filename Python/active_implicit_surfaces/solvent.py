@@ -151,7 +151,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets exits at the nearest point of the owner's surface, unless another ball covers it."""
+        """Sets exits to the depth, unless another ball covers the owner's nearest surface point."""
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]

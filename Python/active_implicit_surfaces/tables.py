@@ -156,7 +156,7 @@ def _find_header(lines: list[str]) -> _Form | None:
             cells = _split(lines[rows[0]], separator) if rows else names
             is_text = any(number(cell) is None for cell in cells)
             if rows and is_text and not any(map(_is_number, cells)):
-                rows = rows[1:]  # below units
+                rows = rows[1:]  # the first row has units
             start = rows[0] if rows else len(lines)
             if not names[-1] and len(cells) == len(names) - 1:
                 names = names[:-1]
@@ -225,7 +225,7 @@ def _load(lines: list[str], form: _Form) -> Any:
         warnings.simplefilter("error")
         try:
             if form.has_commas and form.separator == ",":
-                raise ValueError  # inside quotes
+                raise ValueError  # decimal commas within quotes
             if form.has_commas:
                 rows = [row.replace(",", ".") for row in rows]
             return _parse(rows, form, None if is_whole else form.columns, float)

@@ -40,13 +40,13 @@ def places_of(numbers: Sequence[float]) -> list[float]:
 
 
 def times_between(times: Sequence[float], fps: float) -> list[float]:
-    """Returns times at intervals of 1/fps, from the first of some times to the last."""
+    """Returns times at intervals of 1/fps, from the first given time up to the last one."""
     count = int((times[-1] - times[0]) * check_rate(fps) * (1.0 + 1e-9) + 1e-6)
     return [min(times[0] + i / fps, times[-1]) for i in range(count + 1)]
 
 
 def rate_of(times: Sequence[float]) -> float:
-    """Returns the frames per second at which a film lasts as long as its times; 25 if not 1 to 240."""
+    """Returns the frame rate, 1 to 240, at which a film lasts as long as its times; else 25."""
     if len(times) < 2:
         return FRAMES_PER_SECOND
     rate = (len(times) - 1) / (times[-1] - times[0])

@@ -45,7 +45,7 @@ class UsdFilm(Sink):
 
     - path (Path): film.usdc or, as text, film.usda.
     - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of
-      frames per unit of time.
+      frames per unit of time if 1 to 240, else 25.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up. y and z set the
       stage's up axis; for others the prim is rotated.
     - time_scale (float): time of the velocities per unit of `times`, the filter's TimeScale.

@@ -21,7 +21,8 @@ class Resumption(Sink):
     - output (Path): name of the series of skins; the state is in hidden files of the same folder.
     - description (dict): options that the skins depend on; a run with other options cannot be
       resumed.
-    - files (list of Path): last file read for each frame. Files of finished frames may not change.
+    - files (list of Path): last file read for each frame. Files of finished frames must not
+      change, except that a single file may get more frames.
 
     Attributes:
     - view (list or None): points in view and up axis of pictures, saved to keep the camera when
@@ -35,7 +36,7 @@ class Resumption(Sink):
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
-        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames cannot
+        self._may_grow = len(files) > 1 == len({*files})  # a single file of all frames
         self._saved = time.monotonic()
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
@@ -143,7 +144,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Returns name, size and time of the first frames' files, to detect changes."""
+        """Returns name, size and time (only names if files may grow) of the first frames' files."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()
