@@ -179,7 +179,7 @@ def _set_look(look: Any, color: tuple[float, float, float]) -> None:
 
 
 def _shade_in_corners(seen: float) -> Any:
-    """Turns on ambient occlusion with a radius proportional to the size of the view."""
+    """Returns a pass with ambient occlusion, of a radius proportional to the size of the view."""
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)
     shade.SetBias(0.008 * seen)

@@ -89,7 +89,8 @@ int SurfaceSimulation::FindFirstStep() const
     : 0;
 }
 
-// The first frame, from which the domain would follow, is unavailable.
+// Uses the domain of a loaded state if the first frame, from which the domain would follow, is
+// unavailable.
 void SurfaceSimulation::UseLoadedDomain()
 {
   const SavedState& state = this->Loaded;

@@ -245,8 +245,8 @@ public:
 
 private:
   // Returns true if the settings only append steps to the input, and the motion so far stays valid.
-  // The motion becomes invalid if an input of one step gets more steps: with one step the target is
-  // static, and the filter uses its own time steps.
+  // If an input of one step gets more steps, only the start stays valid: with one step the target
+  // is static, and the filter uses its own time steps.
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
     const bool isOnSteps =

@@ -34,7 +34,7 @@ struct TargetOptions
   bool IsDomainKnown = false; //< otherwise VoxelSize and Reach are undefined
   double VoxelSize = 0.0;     //< [length]
   bool SmoothsLabels = false; //< images of labels are a target of the node scheme
-  double LabelNoise = -1.0;   //< freedom of the skin around a label [length]; < 0: half a pixel
+  double LabelNoise = -1.0;   //< freedom of the skin around a label [length]; < 0: automatic
 
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are always sums
   double Spacing = 0.0; //< of the particles, given or estimated [length]; 0: unknown
