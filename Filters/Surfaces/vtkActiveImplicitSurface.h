@@ -70,24 +70,24 @@
  *   ModelBounds is unavailable before the first update, unless this port is connected.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far
- *   | Column              | Unit          | Meaning                   |
- *   | ------------------- | ------------- | ------------------------- |
- *   | Time                | pipeline time | time step                 |
- *   | Substeps            | 1             | count since previous row  |
- *   | MaxSpeed            | length/time   | of attraction, since then |
- *   | Area                | length^2      | of the skin               |
- *   | Volume              | length^3      | of the skin               |
- *   | ActiveVoxels        | 1             | of the skin               |
- *   | Components, Voids   | 1             | counts, of the skin       |
- *   | EulerCharacteristic | 1             | of the skin               |
- *   | Outside             | 1             | fraction of the target    |
- *   | Event               |               | changes, joined by ", "   |
+ *   | Column              | Unit          | Meaning                           |
+ *   | ------------------- | ------------- | --------------------------------- |
+ *   | Time                | pipeline time | time step                         |
+ *   | Substeps            | 1             | count since previous row          |
+ *   | MaxSpeed            | length/time   | of attraction, since previous row |
+ *   | Area                | length^2      | of the skin                       |
+ *   | Volume              | length^3      | of the skin                       |
+ *   | ActiveVoxels        | 1             | of the skin                       |
+ *   | Components, Voids   | 1             | counts, of the skin               |
+ *   | EulerCharacteristic | 1             | of the skin                       |
+ *   | Outside             | 1             | fraction of the target            |
+ *   | Event               |               | changes, joined by ", "           |
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
- *   count if outside by more than their own radius. Over other targets the fraction is of the
- *   target's volume (of a function: in ModelBounds), and what is more than a voxel outside counts.
- *   A fraction of 1 % has a standard error of 0.16 %. Points beyond walls are ignored. Values above
- *   1 % cause one warning, unless they fall from step to step.
+ *   count if outside by more than their own radius. Over other targets, points spread over the
+ *   inside (of a function: within ModelBounds) count if more than a voxel outside. A fraction of
+ *   1 % then has a standard error of 0.16 %. Points beyond walls are ignored. Values above 1 %
+ * cause one warning, unless they fall from step to step.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".

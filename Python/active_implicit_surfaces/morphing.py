@@ -28,11 +28,12 @@ class morph(Skins):
     Parameters
     ----------
     a, b : vtkPolyData, vtkImageData, vtkImplicitFunction, or an object with `vertices` and `faces`
-        Closed meshes, or images: inside is below `target_iso_value`, or at the higher value of a
-        two-valued mask. Objects of PyVista, trimesh and meshio are accepted.
+        Closed meshes, or images: masks of a label, volume fractions (inside above 0.5) or
+        distances (inside below 0); for other images set ``target_iso_value`` and
+        ``invert_target``. Objects of PyVista, trimesh and meshio are accepted.
     duration : float
-        Time at which `b` is reached to a tenth of a voxel (ArrivalTime) [time]; more than 0.
-        Default: 1.
+        Time at which `b` is reached to a tenth of a voxel (ArrivalTime, unless ``attraction`` is
+        given) [time]; more than 0. Default: 1.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str
@@ -53,7 +54,7 @@ class morph(Skins):
     ------
     ValueError
         The filter reports an error (the text is its message), duration or frames are out of range,
-        or a skin is empty although both shapes are not.
+        or a skin is empty although `b` is not.
     TypeError
         Unknown keyword (the text names the closest one), or a shape of a wrong type.
 
@@ -117,7 +118,7 @@ class morph(Skins):
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
     def make(self, step: int) -> Any:
-        """Makes a skin as Skins does; raises ValueError if it is empty but the shape is not."""
+        """Makes a skin as Skins does; raises ValueError if the skin is empty but `b` is not."""
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(

@@ -62,7 +62,7 @@ std::string ListArrays(vtkPointData* arrays)
   return names.empty() ? "it has no point arrays with names" : "its point arrays are " + names;
 }
 
-// Returns true for a table without columns. A rank receives one if another rank has the table.
+// Returns true for a table without columns, which a rank receives if another rank has the data.
 bool HasNothing(vtkDataObject* data)
 {
   auto table = vtkTable::SafeDownCast(data);

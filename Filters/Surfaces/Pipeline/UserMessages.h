@@ -1,7 +1,7 @@
 // Warnings and errors of the filter, which VTK shows. Within ParaView fewer messages are shown.
 //
 // ParaView opens a window for each warning and each error. ParaView requests each output port
-// separately, and again for each view. If a request fails, each pipeline adds a message with the
+// separately, and again for each view. If a request fails, each executive adds a message with the
 // request. Within ParaView the same warning is therefore shown once, and a note does not open the
 // window. The same error is shown once after each change of the filter. The outputs of a failed
 // request are empty.
