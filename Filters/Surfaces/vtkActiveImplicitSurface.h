@@ -249,8 +249,8 @@ public:
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
    * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated particle
-   * or line then becomes a ball or tube of the array's radius. Its kernel ends at 4.5 times this
-   * radius, or with SUM at the distance that gives this radius. Range: 1e-30 to 1e30, or -1,
+   * or line then becomes a ball or tube of the array's radius, and its kernel ends at 4.5 times
+   * this radius, or with SUM at the distance that gives this radius. Range: 1e-30 to 1e30, or -1,
    * automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
@@ -347,12 +347,12 @@ public:
    * to the speed. Tension smooths the skin, and shrinks small parts. A ball without a target has
    * radius sqrt(r0^2 - 4 * Tension * t). If F is the distance to a ball of radius R, the skin keeps
    * the radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), and vanishes if R < 2.83 sqrt(Tension
-   * / Attraction). If F / |grad F| is larger inside, smaller balls remain: over particles the
-   * factor is about 2.4, not 2.83; over a vtkSphere, whose F is r^2 - R^2, the radius is sqrt(R^2 -
-   * 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range:
-   * >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r, Attraction * p^2 /
-   * 5 over masks of pixels p; else 0; also 0 over particles with TensionWeighting off, SUM,
-   * PaperScheme or explicit substeps (see TimeIntegration). Default: -1. */
+   * / Attraction). If F / |grad F| exceeds the distance inside, smaller balls remain: over
+   * particles the factor is about 2.4; over a vtkSphere, whose F is r^2 - R^2, the radius is
+   * sqrt(R^2 - 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2
+   * substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r,
+   * Attraction * p^2 / 5 over masks of pixels p; else 0; over particles also 0 with SUM,
+   * TensionWeighting off, PaperScheme or explicit substeps (TimeIntegration). Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
@@ -444,7 +444,7 @@ public:
    * over particles and masks one step for each time step, else EXPLICIT. That step carries the
    * skin, evaluates the target once, at lattice nodes near the target's surface, and relaxes the
    * skin towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
-   * EXPLICIT also with EQUILIBRIUM or PaperScheme, and, with a warning if they move, with:
+   * EXPLICIT also with EQUILIBRIUM or PaperScheme, and in these cases, with a warning if they move:
    * Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other
    * than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation or
    * GradientScheme not the default. Default: AUTOMATIC. */
@@ -689,8 +689,8 @@ public:
   ///@}
 
   ///@{
-  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, the state leaving
-   * the smallest gap is removed. Does not restart the motion. Range: >= 0. Default: 256. */
+  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, removes states so
+   * that gaps between steps stay small. Does not restart the motion. Range: >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}
@@ -724,8 +724,8 @@ public:
   /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
    * step up to the time of the last update. LoadState loads a state into a filter with the same
    * properties and inputs. From the state's time on, the motion then continues bitwise identically.
-   * With Advance, the first frame after LoadState is that of the saved time. Both return false,
-   * with an error, if there is no state, or reading or writing fails. */
+   * With Advance, the first frame after LoadState is that of the saved time. Both functions return
+   * false, with an error, if there is no state, or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
@@ -775,8 +775,8 @@ public:
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. Its values are trilinear, with the correct sign everywhere. The values are first-order
-   * distances [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
+   * time. The values are trilinear, with the correct sign everywhere: first-order distances
+   * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
    * always the same, with the new skin after each update. Before the first update and after an
    * error all space is outside. Each update restarts a surface that has this object as
    * TargetFunction: to follow a moving skin, connect the output port instead. */

@@ -56,7 +56,7 @@ except ImportError as error:
 if _HAS_IO:
     vtkActiveEXRReader.RegisterWithFactory()  # vtkImageReader2Factory then knows .exr
 
-# Modules of the functions. They need numpy, unlike the classes.
+# Modules of the functions, which need numpy, unlike the classes.
 _FUNCTIONS = {
     "ActiveSurfaceWarning": "messages",
     "Frame": "runner",

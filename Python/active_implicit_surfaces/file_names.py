@@ -258,7 +258,7 @@ def has_number(name: str | Path) -> bool:
 
 
 def numbered(name: str | Path, number: int) -> Path:
-    """Returns the name of a frame: #### is replaced by its number, zero-padded to that width."""
+    """Returns the name of a frame: #### is replaced by its number with at least as many digits."""
     path = Path(name)
     mark = _NUMBER.search(path.name)
     if mark is None:

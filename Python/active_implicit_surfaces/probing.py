@@ -31,8 +31,8 @@ class ProbedAtoms:
     - probe (float): radius of the probe [length], 0 or more.
     - preset, arrays, options: see `frames`; a preset raises ValueError. The class uses the array of
       "radii" (default: "radius") and "voxel_size" (default: a quarter of the root mean square
-      radius of the first frame). It sets "voxel_size" and "attraction" in `options`, and removes
-      "pass_target_arrays".
+      radius of the first frame). The class sets "voxel_size" and "attraction" in `options`, and
+      removes "pass_target_arrays".
 
     Attributes:
     - source (TemporalSource): source of the images.

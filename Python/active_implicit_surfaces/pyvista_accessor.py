@@ -1,9 +1,9 @@
-"""Skins as methods of PyVista's data sets; PyVista 0.48 and later finds them in a wheel.
+"""Skins as methods of PyVista's data sets, which PyVista 0.48 and later finds in a wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh
 
-Without a wheel `import active_implicit_surfaces.pyvista_accessor` registers them.
+Without a wheel `import active_implicit_surfaces.pyvista_accessor` registers the methods.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ class UsdFilm(Sink):
     - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of
       frames per unit of time if 1 to 240, else 25.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up. y and z set the
-      stage's up axis; for others the prim is rotated.
+      stage's up axis; for other axes the prim is rotated.
     - time_scale (float): time of the velocities per unit of `times`, the filter's TimeScale.
       Default: 1.
     """

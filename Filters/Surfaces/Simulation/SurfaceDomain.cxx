@@ -58,7 +58,7 @@ void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
   }
 }
 
-// Size of a voxel and the words for what it was computed from.
+// Size of a voxel, and the source of this size in words.
 struct ChosenVoxel
 {
   double Size;

@@ -80,10 +80,10 @@ public:
   bool IsOnNodes(int first, int last) const;
   // Returns true if the last image of the input was smoothed as a label.
   bool MayHaveLabels() const { return this->Kind->GetLabel() != nullptr; }
-  // Returns the shortest side of the labels' pixels in these frames; 0 if they are no labels.
+  // Returns the shortest side of the labels' pixels in these frames; 0 without labels.
   double FindLabelPixel(int first, int last) const;
-  // Returns the labels' volume at a fraction of the interval from a step to the next one; 0 if
-  // they are no labels.
+  // Returns the labels' volume at a fraction of the interval from a step to the next one; 0
+  // without labels.
   double FindLabelVolume(int step, double fraction) const;
   // Returns true if the input has particles, or has had no points yet.
   bool MayHaveParticles() const

@@ -97,7 +97,7 @@ public:
   /** Null for a kind without an implicit function, and before Prepare has made it. */
   virtual vtkImplicitFunction* GetFunction() const { return nullptr; }
 
-  /** Null unless it is an image that is smoothed as a label; valid after Prepare. */
+  /** Null unless the shape is an image that is smoothed as a label; valid after Prepare. */
   virtual const LabelFacts* GetLabel() const { return nullptr; }
   /** Null unless the kind is particles. */
   virtual const ParticleFrame* GetParticles() const { return nullptr; }
