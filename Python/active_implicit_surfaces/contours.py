@@ -125,7 +125,7 @@ def _as_label(image: Any, level: float, above: bool) -> Any:
 
 
 def _at_pixels(image: Any) -> tuple[Any, Any]:
-    """Returns the image, or one whose points are the centres of the cells that have the values."""
+    """Returns image and values; for cell values an image whose points are the cells' centres."""
     if image.GetPointData().GetScalars() is not None or image.GetCellData().GetScalars() is None:
         return _with_point_values(image)
     values = vtk_to_numpy(image.GetCellData().GetScalars())

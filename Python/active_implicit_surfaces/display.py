@@ -47,7 +47,7 @@ def _start_server() -> str:
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        start_new_session=True,  # Ctrl+C is for the program, which may have to finish a file
+        start_new_session=True,  # Ctrl+C must not end Xvfb before the file is finished
         preexec_fn=_end_with_parent,
     )
     assert server.stdout is not None

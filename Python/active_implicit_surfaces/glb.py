@@ -215,7 +215,7 @@ def _check_views(content: Any, size: int) -> None:
 def _check_accessor(content: Any, accessor: Any) -> None:
     count = int(accessor["count"])
     own = _SIZES[int(accessor["componentType"])] * _COMPONENTS[accessor["type"]]
-    view = content["bufferViews"][_natural(accessor["bufferView"])]  # VTK accepts no others
+    view = content["bufferViews"][_natural(accessor["bufferView"])]  # VTK requires a view
     start, step = int(accessor.get("byteOffset", 0)), int(view.get("byteStride", own))
     if start < 0 or count < 1 or step < 0:
         raise ValueError

@@ -58,7 +58,7 @@ class ProbedAtoms:
         sizes = self._radii_of(first)
         usual = usual_voxel(sizes[sizes > 0]) if (sizes > 0).any() else 1.0
         self._voxel = options["voxel_size"] = options.get("voxel_size") or usual
-        # The filter's own choice, 6, lags 0.2 Angstrom behind atoms that move by 1.5 per step.
+        # The filter's factor, e^6, lags 0.2 Angstrom behind atoms that move by 1.5 per step.
         step = median_step(atoms.times) * options.get("time_scale", 1.0)
         options.setdefault("attraction", _FOLLOWING / step)
         self._passes = options.pop("pass_target_arrays", False)

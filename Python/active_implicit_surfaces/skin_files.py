@@ -247,7 +247,7 @@ def _read_glb(path: Path) -> Any:
     if is_own and not has_meshes:
         return vtkPolyData()  # an empty skin
     reader = vtkGLTFReader()
-    reader.SetApplyDeformationsToGeometry(not is_own)  # ignores the rotation of the node
+    reader.SetApplyDeformationsToGeometry(not is_own)  # own: ignores the rotation of the node
     reader.SetFileName(str(path))
     with quiet(), listening(reader) as heard:
         reader.Update()

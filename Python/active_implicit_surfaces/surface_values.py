@@ -160,7 +160,7 @@ def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
         window.RemoveRenderer(other)
     window.AddRenderer(drawn)
     try:
-        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first one without depth
+        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first array without depth
         return {name: _draw(window, drawn, values, name, shape[name]) for name in shape}
     finally:
         values.ReleaseGraphicsResources(window)

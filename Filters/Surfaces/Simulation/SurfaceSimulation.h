@@ -208,7 +208,7 @@ public:
   {
     return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
   }
-  // Returns the parameters of the motion at the requested time, for speeds.
+  // Returns the parameters of the motion at the requested time, for FindSpeeds.
   Motion GetMotion() const;
   // Values in the interval before the requested time; at the first step, in the interval after it.
   // All values are 0 if there is neither a domain nor a skin.

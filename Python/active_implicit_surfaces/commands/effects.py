@@ -123,7 +123,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 def rows_of(own: properties.Property) -> list[str]:
     """Returns the rows of a property: from the tables, its group and its documentation."""
     groups = {
-        "Motion": f"{_MOTION} particles",  # a first skin is smoothed too
+        "Motion": f"{_MOTION} particles",  # the first skin over particles is smoothed
         "Conservation": f"{_MOTION} particles",
         "Particles": "particles",
     }
@@ -132,7 +132,7 @@ def rows_of(own: properties.Property) -> list[str]:
         "PaperScheme": "paper_scheme=off",
         "if the input has at most one": "pipeline",
     }
-    effect = own.comment.split(", automatic:")[0]  # without the rule of a value that is found
+    effect = own.comment.split(", automatic:")[0]  # without the rule for the automatic value
     found = [row for words, row in told.items() if re.search(words, effect)]
     found += filter(None, [groups.get(own.group)])
     return _rows(":" + own.keyword) + found
