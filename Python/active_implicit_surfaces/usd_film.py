@@ -148,7 +148,7 @@ class UsdFilm(Sink):
                         f"{self.path}: {name} needs 64 bits, but has 32 in earlier frames; write a "
                         "file for each frame, such as skin_####.vtp."
                     )
-                kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender reads int32 only
+                kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender has int32 only
         plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)
         interface = UsdGeom.PrimvarsAPI(self._mesh)
         own = interface.CreatePrimvar(plain, kind, UsdGeom.Tokens.vertex, wide if wide != 3 else -1)
