@@ -137,8 +137,8 @@ void vtkActiveEXRWriter::Write()
   this->UpdateWholeExtent();
   if (!this->Chosen->Asked)
   {
-    this->Fail(
-      vtkErrorCode::UnknownError, "The update of the input failed, so no file is written.");
+    this->Fail(vtkErrorCode::UnknownError,
+      "The update of the input failed, so no file is written; see the error of the input.");
   }
 }
 

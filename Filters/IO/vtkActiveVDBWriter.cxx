@@ -60,7 +60,8 @@ struct Source
     this->Pipeline = SDDP::SafeDownCast(producer->GetExecutive());
     if (!this->Pipeline || !this->Pipeline->UpdateInformation())
     {
-      throw std::runtime_error("The input cannot be updated.");
+      throw std::runtime_error(
+        "The input failed before its update, so no file is written; see the error of the input.");
     }
     this->Information = this->Pipeline->GetOutputInformation(port);
     if (this->Information->Has(SDDP::TIME_STEPS()))
@@ -75,7 +76,8 @@ struct Source
     activesurface::RequestWhole(this->Information);
     if (!this->Pipeline->Update(this->Port))
     {
-      throw std::runtime_error("The update of the input failed, so no file is written.");
+      throw std::runtime_error(
+        "The update of the input failed, so no file is written; see the error of the input.");
     }
   }
 

@@ -205,7 +205,7 @@ class frames(Skins):
         if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
             told = where if isinstance(where, str) else " and ".join(where)
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"
-            more = f" in a piece of {minimum_piece} or more" if minimum_piece > 1 else ""
+            more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
             raise ValueError(f"{told}{more}.")
         if probe is not None:
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
@@ -242,7 +242,7 @@ def configure(
     chosen = dict(arrays or {})
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
-        raise TypeError(f"arrays needs keys of {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
+        raise TypeError(f"The keys of arrays are {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
     frames = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]

@@ -178,7 +178,7 @@ def capture(
         raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
     if window.GetClassName() == "vtkRenderWindow":
         raise ValueError(
-            "The window cannot draw: it was made before VTK's OpenGL was there; import "
+            "The window cannot draw: it was made before VTK's OpenGL was loaded; import "
             "vtkmodules.vtkRenderingOpenGL2, or this module, before the window is made."
         )
     renderer = renderer or _renderer_of(window)

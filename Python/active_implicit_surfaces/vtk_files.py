@@ -185,7 +185,9 @@ def _add_vertices(path: Path, data: Any) -> None:
         places = numpy.array([cells[:3] for cells in rows], dtype=float)
         shades = numpy.array([cells[3:] for cells in rows if len(cells) == 6], dtype=float)
     except ValueError as error:
-        raise OSError(f"{path} cannot be read: it is damaged; a vertex has no numbers.") from error
+        raise OSError(
+            f"{path} cannot be read: it is damaged; a coordinate is no number."
+        ) from error
     points = vtk_to_numpy(data.GetPoints().GetData())
     are_alike = len(points) == len(places) and numpy.allclose(points, places, rtol=1e-6, atol=0)
     if len(shades) == len(rows):
@@ -217,11 +219,11 @@ def _check_corner(
     """Returns the parts of a corner (vertex, texture, normal); raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
-        raise OSError(f"{path} cannot be read: it is damaged; a polygon has no numbers.")
+        raise OSError(f"{path} cannot be read: it is damaged; a corner has no vertex number.")
     for number, count, before in zip(found.groups(), whole, so_far):
         place = int(number or 0)
         if place > count or place < -before or (number and place == 0):
-            raise OSError(f"{path} cannot be read: it is damaged; a polygon has no such corners.")
+            raise OSError(f"{path} cannot be read: it is damaged; a corner refers to no vertex.")
     return tuple(bool(number) for number in found.groups())
 
 

@@ -196,7 +196,7 @@ class Programs(CommandTest):
         self.assertIn("Frame 1 is empty: nothing in it meets Type>5.", said)
         self.assertEqual((self.folder / "c.csv").read_text().split(), ["x,y,z,Type"])
         said = self.fail_with(1, "skin", "p_*.npz", "--minimum-piece", 999, *QUIET)
-        self.assertIn("No frame has particles in a piece of 999 or more.", said)
+        self.assertIn("No frame has particles in a cluster of 999 or more.", said)
 
     def bounds(self, name):
         return read_shape(self.folder / name).GetBounds()

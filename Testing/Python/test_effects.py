@@ -60,15 +60,15 @@ class Errors(CommandTest):
         skin, morph = ("skin", "p.npz"), ("morph", "a.stl", "b.stl")
         film = (*skin, "--render", "a.png")
         cases = {
-            (*skin, "--size", "64x64"): "on pictures, with --render",
-            (*morph, "--size", "1280x720"): "on pictures, with --render",
-            (*skin, "--no-ground"): "on pictures, with --render",
-            (*skin, "--up", "z"): "on pictures, with --render or on a .glb",
-            (*morph, "-o", "m.stl", "--up", "z"): "on pictures, with --render or on a .glb",
+            (*skin, "--size", "64x64"): "on pictures (--render)",
+            (*morph, "--size", "1280x720"): "on pictures (--render)",
+            (*skin, "--no-ground"): "on pictures (--render)",
+            (*skin, "--up", "z"): "on pictures (--render) or on a .glb",
+            (*morph, "-o", "m.stl", "--up", "z"): "on pictures (--render) or on a .glb",
             ("convert", "a.stl", "-o", "c.ply", "--up", "z"): "on a .glb or on a .usdc",
             (*skin, "--times", "0,1", "--fps", 24): "without --times or on pictures",
-            (*film, "--index", "a.pvd"): "on skins that are written, with -o",
-            (*film, "--compute-velocity"): "on skins that are written, with -o or on pictures .exr",
+            (*film, "--index", "a.pvd"): "on skins that are written (-o)",
+            (*film, "--compute-velocity"): "on skins that are written (-o) or on .exr pictures",
             (*film, "--compute-curvature"): "on skins that are written",
             (*film, "--pass-target-arrays"): "on skins that are written",
             (*skin, "--velocities", "v"): "on a .usdc or with --compute-velocity",

@@ -258,7 +258,8 @@ LatticeMesh Collect(const Skin& skin, double voxelSize)
   LatticeMesh mesh;
   mesh.Triangles.resize(skin.GetNumberOfTriangles());
   mesh.Points.reserve(skin.GetNumberOfPoints());
-  static_assert(sizeof(mesh.Triangles[0]) == 3 * sizeof(std::int64_t), "as Write wants them");
+  static_assert(sizeof(mesh.Triangles[0]) == 3 * sizeof(std::int64_t),
+    "Write writes three integers for each triangle");
   skin.Write(points.data(), nullptr, mesh.Triangles.data()->data());
   for (std::size_t i = 0; i < points.size(); i += 3)
   {

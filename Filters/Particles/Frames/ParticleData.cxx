@@ -253,8 +253,8 @@ std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
     InputBlock block{ NameOf(leaf), AsDataSet(held) };
     if (!block.Data)
     {
-      throw std::invalid_argument(
-        block.Name + " of the input is a " + held->GetClassName() + ", which has no particles.");
+      throw std::invalid_argument(block.Name + " of the input is a " + held->GetClassName() +
+        ", which has no particles; leave this block out.");
     }
     if (block.Data->GetNumberOfPoints() > 0)
     {

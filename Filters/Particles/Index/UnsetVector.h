@@ -16,7 +16,7 @@ namespace activesurface
 template <class T>
 struct UnsetAllocator : std::allocator<T>
 {
-  static_assert(std::is_trivially_default_constructible_v<T>, "or it would be set");
+  static_assert(std::is_trivially_default_constructible_v<T>, "other types would be set");
 
   // NOLINTBEGIN(readability-identifier-naming): the names are the standard library's
   template <class U>

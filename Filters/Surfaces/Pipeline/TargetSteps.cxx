@@ -115,8 +115,8 @@ std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   this->LastUpdateFailed = true;
   if (!this->Target.Update(target, time))
   {
-    throw std::runtime_error(
-      "The update of the input failed at the time step " + Format(time) + ".");
+    throw std::runtime_error("The update of the input failed at the time step " + Format(time) +
+      "; see the error of the input.");
   }
   this->LastUpdateFailed = false;
   return this->Read(target);

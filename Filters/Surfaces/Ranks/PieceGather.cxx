@@ -44,7 +44,8 @@ std::string Write(vtkDataSet* data)
   writer->SetHeaderTypeToUInt64();
   if (!writer->Write())
   {
-    throw std::runtime_error("A piece of the input cannot be sent to the other ranks.");
+    throw std::runtime_error("A piece of the input cannot be sent to the other ranks, because "
+                             "VTK's XML writer failed; see the error of the writer.");
   }
   return writer->GetOutputString();
 }
@@ -58,7 +59,8 @@ vtkSmartPointer<vtkDataSet> Read(const char* first, std::size_t length)
   reader->Update();
   if (reader->GetErrorCode() != 0)
   {
-    throw std::runtime_error("A piece of the input from another rank has arrived damaged.");
+    throw std::runtime_error("A piece of the input from another rank cannot be read by VTK's XML "
+                             "reader; use the same VTK on all ranks.");
   }
   return reader->GetOutputAsDataSet();
 }

@@ -55,8 +55,8 @@ _ACTING = (  # rows, and their options and (after a colon) properties
 _WHERE = {
     "atoms": "with --probe",
     "duration": "as --duration of active-surface morph",
-    "exr": "on pictures .exr",
-    "files": "on skins that are written, with -o",
+    "exr": "on .exr pictures",
+    "files": "on skins that are written (-o)",
     "glb": "on a .glb",
     "usd": "on a .usdc",
     "image_to_mesh": "from an image to a mesh",
@@ -68,7 +68,7 @@ _WHERE = {
     "pipeline": "in a pipeline of VTK; the times here are those of --times, --fps or --duration",
     "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
     "range": "before the first of --frames FIRST:LAST",
-    "render": "on pictures, with --render",
+    "render": "on pictures (--render)",
     "series": "from one frame to the next",
 }
 
