@@ -26,7 +26,7 @@ def check_film(path: Path) -> None:
     """Raises ValueError or OSError if such a film cannot be made here."""
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:
-        raise ValueError(f"{path}: films are {', '.join(FILM_SUFFIXES)}.")
+        raise ValueError(f"{path}: films are written as {', '.join(FILM_SUFFIXES)}.")
     if suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise OSError(
             f"{path} needs the program ffmpeg, which is not on PATH; install it (Debian: ffmpeg), "

@@ -88,7 +88,7 @@ class Conditions(unittest.TestCase):
                 way = active.frames([points], **arguments)
                 self.assertEqual(way.source.frame(0).GetNumberOfPoints(), count)
             else:
-                with self.assertRaisesRegex(ValueError, "a piece of 126 or more"):
+                with self.assertRaisesRegex(ValueError, "a cluster of 126 or more"):
                     active.frames([points], **arguments)
 
     def test_python_functions(self):

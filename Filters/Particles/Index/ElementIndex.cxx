@@ -56,7 +56,8 @@ void ElementIndex::Build()
   }
   if (this->Balls.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    throw std::length_error("The skeleton has too many elements; use fewer elements.");
+    throw std::length_error(
+      "The index of the skeleton needs more than 2^31 - 1 balls; use fewer elements.");
   }
   this->MakeLattices();
   this->FillCells();
