@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct vtkSkeletonPotential::Internals
   activesurface::Skeleton Skeleton;
   activesurface::ParticlePotential Body; // in place of Skeleton, unless ParticleModel is SUM
   vtkIdType IgnoredElements = 0;
+  double Level = 0.5; // value of F far from all elements: Threshold, or 1/2 after an error
 };
 
 vtkSkeletonPotential::vtkSkeletonPotential()
@@ -127,6 +129,7 @@ void vtkSkeletonPotential::ReadElements()
   Internals& own = *this->Internal;
   own.IgnoredElements = 0;
   own.Skeleton.Clear();
+  own.Level = this->Threshold;
   try
   {
     if (!std::isfinite(this->Threshold) || this->Threshold <= 0.0)
@@ -159,7 +162,8 @@ void vtkSkeletonPotential::ReadElements()
     own.Skeleton.Clear();
     own.Skeleton.Build();
     own.Body.Build({}, {});
-    vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
+    own.Level = 0.5;
+    vtkErrorMacro(<< error.what() << " The function is 1/2 everywhere: all space is outside.");
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
   {
@@ -181,8 +185,18 @@ void vtkSkeletonPotential::FitBody()
     throw std::invalid_argument("Lines need ParticleModel SUM, but another model is set; set "
                                 "ParticleModel to SUM, or remove the lines.");
   }
+  constexpr double automatic = -1.0;
+  constexpr double shortest = 1e-100, longest = 1e100;
+  const bool isLength = this->ParticleSpacing >= shortest && this->ParticleSpacing <= longest;
+  if (this->ParticleSpacing != automatic && !isLength)
+  {
+    std::ostringstream text;
+    text << "ParticleSpacing is " << this->ParticleSpacing << ", but has to be between " << shortest
+         << " and " << longest << ", or -1, automatic.";
+    throw std::invalid_argument(text.str());
+  }
   activesurface::NodeParticleOptions options;
-  options.OwnRadius = 0.5 * std::max(this->ParticleSpacing, 0.0);
+  options.OwnRadius = isLength ? 0.5 * this->ParticleSpacing : 0.0;
   options.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
   options.Anisotropy = this->Anisotropy;
   own.Body.Build(own.Skeleton.ListPoints(), options);
@@ -235,8 +249,8 @@ void vtkSkeletonPotential::EvaluateBatch(
   const auto size = static_cast<std::size_t>(std::max<vtkIdType>(count, 0));
   if (this->ParticleModel == SUM)
   {
-    own.Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel), this->Threshold,
-      size, points, values, gradients);
+    own.Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel), own.Level, size,
+      points, values, gradients);
   }
   else
   {

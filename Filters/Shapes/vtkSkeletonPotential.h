@@ -56,7 +56,8 @@
  *   radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts ignored elements. A
  *   warning is issued once when the input is read.
  * - A named array that is missing or does not have one number per point is an error. F is then
- *   Threshold (1/2 with ANISOTROPIC) everywhere, as without input or elements.
+ *   1/2 everywhere: all space is outside. Without input or elements F is Threshold (1/2 with
+ *   ANISOTROPIC) everywhere.
  * - F and its gradient are NaN if x is not finite.
  *
  * @par Threads

@@ -240,6 +240,11 @@ vtkSmartPointer<vtkDataSet> AssembleImage(const Pieces& pieces, const std::strin
   {
     const char* name = reference->GetAbstractArray(i)->GetName();
     const std::vector<vtkAbstractArray*> parts = FindArrays(pieces, name, what);
+    if (parts.empty())
+    {
+      throw std::invalid_argument(what + ", an image, has the array \"" + name +
+        "\" on some ranks but not on others; give this array to all pieces.");
+    }
     std::vector<char> isKnown(static_cast<std::size_t>(whole->GetNumberOfPoints()), char(0));
     const auto values = MakeArray(reference->GetAbstractArray(i), whole->GetNumberOfPoints());
     for (std::size_t rank = 0; rank < parts.size(); ++rank)

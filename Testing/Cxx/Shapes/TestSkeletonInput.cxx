@@ -160,7 +160,7 @@ TEST(TestSkeletonInput, ArraysOfNoUseAreErrors)
       isRadius ? potential->SetRadiusArrayName(name.c_str())
                : potential->SetStrengthArrayName(name.c_str());
       const MessageCapture messages(potential);
-      EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 0.5) << name << ": F is Threshold";
+      EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 0.5) << name << ": F is 1/2";
       EXPECT_TRUE((GradientAt(potential, { 0.1, 0.0, 0.0 }) == Point{ 0.0, 0.0, 0.0 }))
         << "no gradient";
       EXPECT_EQ(messages.Errors.size(), 1u) << name << ": one error";

@@ -1,5 +1,6 @@
 // vtkSkeletonPotential compared with its formulas. == means bitwise identical.
 
+#include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
 
 #include "vtkContourFilter.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -281,5 +283,37 @@ TEST(TestSkeletonPotential, NegativeStrengthCarves)
   shape.GiveTo(potential);
   EXPECT_LT(ValueAt(potential, { -0.5, 0.0, 0.0 }), 0.0) << "inside on the other side";
   EXPECT_GT(ValueAt(potential, { 0.5, 0.0, 0.0 }), 0.0) << "outside where it is carved";
+}
+
+TEST(TestSkeletonPotential, AfterAnErrorAllSpaceIsOutside)
+{
+  SkeletonBuilder shape;
+  shape.Add({ 0.0, 0.0, 0.0 });
+  const auto expectError = [&](const char* sentence, const auto& change, const auto& mend)
+  {
+    vtkNew<vtkSkeletonPotential> potential;
+    shape.GiveTo(potential);
+    change(potential);
+    const MessageCapture messages(potential);
+    EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), 0.5) << sentence;
+    EXPECT_EQ(messages.Errors.size(), 1u) << sentence;
+    EXPECT_TRUE(messages.Has(sentence)) << sentence;
+    mend(potential);
+    EXPECT_LT(ValueAt(potential, { 0.0, 0.0, 0.0 }), 0.0) << sentence;
+  };
+  for (const double bad : { -0.5, 0.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    expectError(
+      "Threshold has to be", [&](auto* potential) { potential->SetThreshold(bad); },
+      [](auto* potential) { potential->SetThreshold(0.25); });
+    expectError(
+      "ParticleSpacing is",
+      [&](auto* potential)
+      {
+        potential->SetParticleModelToAnisotropic();
+        potential->SetParticleSpacing(bad);
+      },
+      [](auto* potential) { potential->SetParticleSpacing(1.0); });
+  }
 }
 }

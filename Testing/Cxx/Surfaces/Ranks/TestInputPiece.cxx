@@ -296,6 +296,26 @@ TEST(TestInputPiece, AnImageWithAGapIsRefused)
   EXPECT_THROW(Gather(2, make, [](vtkDataSet*) {}), std::invalid_argument);
 }
 
+TEST(TestInputPiece, AnImageWithoutTheArrayOnOneRankIsRefused)
+{
+  const auto make = [](int rank)
+  {
+    const auto image = MakeSlices(2 * rank, 2 * rank + 2);
+    image->GetPointData()->GetScalars()->SetName(rank == 0 ? "one" : "another");
+    return MakeImagePiece(image, image->GetPointData()->GetScalars());
+  };
+  try
+  {
+    Gather(2, make, [](vtkDataSet*) {});
+    FAIL() << "accepted";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("the array \"one\""), std::string::npos)
+      << error.what();
+  }
+}
+
 TEST(TestInputPiece, SlicesOfTwoLatticesAreRefused)
 {
   const auto make = [](int rank)
