@@ -194,7 +194,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
   {
-    RefuseDamage("type and metadata of a grid disagree about half floats");
+    RefuseDamage("type and metadata of the grid " + grid.Name + " disagree about half floats");
   }
   grid.IsKnown = grid.Transform && FindType(grid.Type) &&
     (std::string(grid.GetValueType()) != "points" ||

@@ -135,7 +135,7 @@ void vtkSkeletonPotential::ReadElements()
     if (!std::isfinite(this->Threshold) || this->Threshold <= 0.0)
     {
       throw std::invalid_argument(
-        "Threshold has to be a finite number > 0: at 0 or below, all space is inside.");
+        "Threshold has to be a finite number > 0; at 0 or below, the inside has no limit.");
     }
     own.Input.Update();
     const vtkSmartPointer<vtkDataSet> data = activesurface::AsDataSet(own.Input.GetData());

@@ -227,7 +227,7 @@ def _components(name: str, count: int) -> list[str]:
 
 
 def _ply_kind(values: Any) -> str:
-    """Returns the .ply type that stores these numbers exactly, if such a type exists."""
+    """Returns the key of _PLY_TYPES whose type stores these numbers exactly; f8 if none does."""
     if values.dtype.kind == "f":
         return "f4" if values.dtype.itemsize <= 4 else "f8"
     if values.dtype == "u1":

@@ -102,7 +102,9 @@ def _doubles_of(text: bytes) -> bytes:
     try:
         return numpy.array(text.split(), dtype="<f8").tobytes()
     except ValueError:
-        raise _DamageError("it is damaged: a row has a value that is no number") from None
+        raise _DamageError(
+            "it is damaged: a row has a value that is no number; write it again"
+        ) from None
 
 
 def _read_element(

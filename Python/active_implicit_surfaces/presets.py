@@ -1,7 +1,7 @@
 """Presets: named sets of property values, scaled to the data.
 
-Lengths are in units of the particle radius r, half of the spacing; rates are per time between two
-frames.
+Lengths scale with the particle spacing, or with the particles' radii if given; rates with 1 / (time
+between two frames).
 """
 
 from __future__ import annotations

@@ -48,7 +48,8 @@ class ActiveSurfaceAccessor:
         ValueError
             The filter reports an error; the text is the filter's message.
         TypeError
-            Unknown keyword (the text names the closest one), or the points are a grid.
+            Unknown keyword (the text names the closest one), or the data set is an ImageData or a
+            RectilinearGrid.
 
         Examples
         --------

@@ -16,7 +16,10 @@ def check_times(times: Iterable[float]) -> list[float]:
     if not own:
         raise ValueError("There are no time steps, because there are no frames.")
     if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
-        raise ValueError("Times have to increase from frame to frame; sort the frames by time.")
+        raise ValueError(
+            "Times have to increase from frame to frame; sort the frames by time, and remove "
+            "repeated and NaN times."
+        )
     return own
 
 

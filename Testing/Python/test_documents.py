@@ -68,6 +68,19 @@ class ThePages(unittest.TestCase):
     def test_each_page_is_reached_from_the_readme(self):
         self.assertEqual(set(documents.pages()) - documents.reached("README.md"), set())
 
+    def test_one_version(self):
+        files = {
+            "CMakeLists.txt": r"  VERSION (\S+)",
+            "pyproject.toml": r'version = "(.*)"',
+            ".github/CITATION.cff": r"version: (\S+)",
+            "CHANGELOG.md": r"## (\S+)",
+        }
+        versions = {
+            name: re.search(f"(?m)^{pattern}", (ROOT / name).read_text())[1]
+            for name, pattern in files.items()
+        }
+        self.assertEqual(len(set(versions.values())), 1, versions)
+
     def test_the_readme_is_short(self):
         self.assertLessEqual(len((ROOT / "README.md").read_text().splitlines()), 110)
 

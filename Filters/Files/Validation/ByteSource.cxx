@@ -17,7 +17,7 @@ constexpr std::uint64_t WindowSize = 1 << 16;
 
 void RefuseDamage(const std::string& what)
 {
-  throw std::runtime_error("it is damaged: " + what);
+  throw std::runtime_error("it is damaged: " + what + "; copy or write it again");
 }
 
 ByteSource::ByteSource(const std::string& file)

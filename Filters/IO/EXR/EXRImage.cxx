@@ -185,8 +185,8 @@ void Guard(const EXRInput& input, const Action& action)
     {
       throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
     }
-    throw FileError(
-      vtkErrorCode::FileFormatError, std::string("it is damaged (OpenEXR: ") + error.what() + ")");
+    throw FileError(vtkErrorCode::FileFormatError,
+      std::string("it is damaged (OpenEXR: ") + error.what() + "); copy or write it again");
   }
 }
 

@@ -302,7 +302,8 @@ EXRSource MakeSource(
   source.FromSRGB = choices.FromSRGB && color && component < 3 && source.Type != EXRPixel::UINT;
   if (channel.empty() || channel.size() > LongestChannelName)
   {
-    Refuse("Channel \"" + channel + "\" needs a name of 1 to 255 letters.");
+    Refuse("The channel name \"" + channel +
+      "\" has to have 1 to 255 bytes; choose another name by AddChannel.");
   }
   return source;
 }

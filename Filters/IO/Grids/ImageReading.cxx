@@ -325,8 +325,8 @@ openvdb::CoordBBox FindVoxels(const int region[6])
   if (std::any_of(region, region + 6, isFar) || region[0] > region[1] || region[2] > region[3] ||
     region[4] > region[5])
   {
-    throw std::invalid_argument(
-      "IndexRegion is empty, or beyond 2^30; set each minimum to at most its maximum.");
+    throw std::invalid_argument("IndexRegion is empty, or has an index beyond +-2^30; set minima "
+                                "<= maxima within this range.");
   }
   return { { region[0], region[2], region[4] }, { region[1], region[3], region[5] } };
 }

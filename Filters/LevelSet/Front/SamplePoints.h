@@ -1,6 +1,6 @@
 /**
- * Points at which the target is evaluated: the surface's crossings of lattice edges (paper, section
- * 4.3), and the points of single nodes (NodePoints.h).
+ * Points at which the target is evaluated: the surface's crossings of lattice edges (section 4.3 of
+ * the paper, see NarrowBand.h), or one point for a node (NodePoints.h).
  */
 #ifndef SamplePoints_h
 #define SamplePoints_h

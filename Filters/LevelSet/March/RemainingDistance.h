@@ -8,9 +8,9 @@
  *
  *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
  *
- * If the path to y passes through x, K is T(y) - T(x); off that path K is smaller. A surface of
- * speed K / (remaining time) is flat in any thin part that the surface fills, and arrives
- * everywhere at once.
+ * If the path to y passes through x, K is T(y) - T(x); off that path K is smaller. With the speed
+ * K / (remaining time) the front in a thin part of the target stays flat across the part, and all
+ * points of the surface arrive at once.
  *
  * Exception: K is d(x,y) if y is in the middle of a vanishing part and d(x,y) < 1.1 (T(y) - T(x));
  * the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump, which would grow

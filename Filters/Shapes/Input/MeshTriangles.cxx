@@ -269,8 +269,9 @@ std::string MeshDefects::Describe() const
     text, this->OpenEdges, "open edge (of one polygon only)", "open edges (of one polygon only)");
   Append(
     text, this->CrowdedEdges, "edge of more than two polygons", "edges of more than two polygons");
-  Append(text, this->BrokenPolygons, "polygon with a point that is not finite or does not exist",
-    "polygons with a point that is not finite or does not exist");
+  Append(text, this->BrokenPolygons,
+    "polygon with a point that is not finite or missing (left out)",
+    "polygons with a point that is not finite or missing (left out)");
   Append(text, this->FlatPolygons, "polygon of fewer than three different points",
     "polygons of fewer than three different points");
   return text.str().empty() ? std::string() : "The mesh has defects: " + text.str() + ".";

@@ -287,7 +287,7 @@ void ForEachProperty(Settings& settings, Visitor&& visit)
   ACTIVE_PROPERTY(Anisotropy, particles.Anisotropy, Between(1.0, 100.0, "between 1 and 100"));
   ACTIVE_PROPERTY(ParticleKernel, particles.Kernel, Any);
   ACTIVE_PROPERTY(ParticleThreshold, particles.Threshold,
-    Between(Smallest, Largest, "a finite number > 0: at 0 or below, all space is inside"));
+    Between(Smallest, Largest, "a finite number > 0; at 0 or below, the inside has no limit"));
   ACTIVE_PROPERTY(PeriodicBounds, particles.Periodic, Any);
 
   ACTIVE_PROPERTY(

@@ -19,8 +19,8 @@
 namespace activesurface
 {
 
-// Values of the properties that may be automatic, in world units and motion time; 0: unused or
-// unknown.
+// Values of the properties that may be automatic, in world units; time is pipeline time times
+// TimeScale. 0: unused or unknown.
 struct ValuesInUse
 {
   double VoxelSize = 0.0;

@@ -79,7 +79,7 @@ TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
     potential->SetInput(sphere);
     EXPECT_EQ(std::string(potential->GetDefects()),
       "The mesh has defects: 6 open edges (of one polygon only), 6 polygons with a point that is "
-      "not finite or does not exist.")
+      "not finite or missing (left out).")
       << "defects";
     EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
     EXPECT_EQ(messages.Errors.size(), 0u) << "no error";
@@ -96,7 +96,7 @@ TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
       { 0, 1 }, {} }));
   potential->SetMeshThickness(0.1);
   EXPECT_EQ(std::string(potential->GetDefects()),
-    "The mesh has defects: 2 polygons with a point that is not finite or does not exist, 3 "
+    "The mesh has defects: 2 polygons with a point that is not finite or missing (left out), 3 "
     "polygons "
     "of fewer than three different points.")
     << "defects";

@@ -304,16 +304,16 @@ TEST(TestSkeletonPotential, AfterAnErrorAllSpaceIsOutside)
   for (const double bad : { -0.5, 0.0, std::numeric_limits<double>::quiet_NaN() })
   {
     expectError(
-      "Threshold has to be", [&](auto* potential) { potential->SetThreshold(bad); },
-      [](auto* potential) { potential->SetThreshold(0.25); });
+      "Threshold has to be", [&](vtkSkeletonPotential* potential) { potential->SetThreshold(bad); },
+      [](vtkSkeletonPotential* potential) { potential->SetThreshold(0.25); });
     expectError(
       "ParticleSpacing is",
-      [&](auto* potential)
+      [&](vtkSkeletonPotential* potential)
       {
         potential->SetParticleModelToAnisotropic();
         potential->SetParticleSpacing(bad);
       },
-      [](auto* potential) { potential->SetParticleSpacing(1.0); });
+      [](vtkSkeletonPotential* potential) { potential->SetParticleSpacing(1.0); });
   }
 }
 }
