@@ -1,4 +1,4 @@
-// Replaces the whole potential: by an empty one, or by a tree.
+// Replaces the whole potential: by an empty potential, or by a tree.
 
 #include "BandState.h"
 

@@ -18,9 +18,9 @@
  * 6-neighbours of layer m - 1 that are in no smaller layer. Layers 0..2 are active in the grid.
  * Layers 3 and 4 are ghosts: inactive values in the same leaves, extrapolated from smaller layers
  * after every substep. Exception: a node of layer 3 or 4 whose whole stencil lies in the layers, at
- * a medial axis, is active and is called a "pocket". All other nodes are + or - Far; only their
- * sign has a meaning. Inside the layers the gradient norm of u is about 0.5 to 1.5; output
- * distances are u divided by this norm.
+ * a medial axis, is active and is called a "pocket". All other nodes are + or - Far (3 in the
+ * paper's scheme); only their sign has a meaning. Inside the layers the gradient norm of u is about
+ * 0.5 to 1.5; output distances are u divided by this norm.
  *
  * REPRODUCIBILITY: the same start, times, motion and target give a bitwise identical potential,
  * with any number of threads and any previous contents of memory.
@@ -66,7 +66,8 @@ public:
 
   /**
    * Extends the potential beyond the band by ghosts, unless the band has ghosts. After a frame of
-   * the node scheme the potential ends at 3 voxels. Substeps call this function themselves.
+   * the node scheme without an exact control, the potential ends at 3 voxels. Advance calls this
+   * function before explicit substeps.
    */
   void AddGhosts();
   bool HasGhosts() const;
@@ -75,8 +76,8 @@ public:
   /**
    * Pack returns the state as bytes, lossless (see State/PackedBand.h). Unpack returns the band
    * restored from these bytes. Further motion of the restored band is bitwise identical. The bytes
-   * are for this process, not for files, and do not include GetWork. part: SharePart of the packed
-   * band.
+   * are for this process, not for files, and do not include GetWork and the limits of threads and
+   * active voxels. part: SharePart of the packed band.
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(
@@ -86,14 +87,14 @@ public:
   ///@{
   /**
    * Bands partitioned among ranks. After SetDomain, the next frame of the node scheme makes this
-   * band one rank's part of a common band. Start and Advance are then collective, and areas,
-   * volumes and numbers of nodes are totals of all ranks. domain: null if the band is whole.
+   * band one rank's part of a common band. StartOnNodes and Advance are then collective, and areas,
+   * volumes and the number of active nodes are totals of all ranks. domain: null for a whole band.
    */
   void SetDomain(const std::shared_ptr<const Domain>& domain);
   /** Null if the band is whole. */
   const BandPart* GetPart() const;
   std::shared_ptr<const BandPart> SharePart() const;
-  /** Adds the costs of this rank's leaves. */
+  /** Adds the costs of this rank's leaves if the band is a part; otherwise adds nothing. */
   void ListCosts(std::vector<LeafCost>& costs) const;
   /** Returns the whole band: on all ranks if onAll, else on rank 0, and null on other ranks.
    * Collective; only for a part. */
@@ -115,11 +116,12 @@ public:
 
   /**
    * Starts at a time with the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax).
-   * The surface is closed at faces of the bounds where the function is negative. Memory is
-   * proportional to the surface and two planes of the lattice. A function without zero set gives an
-   * empty surface. Throws std::invalid_argument if the bounds are empty, not finite or too large
-   * for the voxel size. Throws std::runtime_error beyond the maximum number of active voxels.
-   * Returns false if `progress` cancelled the start; the surface is then empty.
+   * The surface is closed at faces of the bounds where the function is negative. Without boxes and
+   * points (InitialFunction.h), memory is proportional to the surface and two planes of the
+   * lattice. A function without zero set gives an empty surface. Throws std::invalid_argument if
+   * the bounds are empty, not finite or too large for the voxel size. Throws std::runtime_error
+   * beyond the maximum number of active voxels. Returns false if `progress` cancelled the start;
+   * the surface is then empty.
    */
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
@@ -141,36 +143,38 @@ public:
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
   /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, so
-   * that the first frame has this value. Does nothing without such a control. The new area and
-   * volume count as those at the start. */
+   * that the first frame has this value. Does nothing without such a control, if this value is 0,
+   * or for an empty surface. Otherwise the new area and volume count as those at the start. */
   void RestoreTargets(const Motion& motion);
 
   /**
-   * Moves the surface to the motion time `time`; the last substep ends exactly at `time`. Throws
-   * std::invalid_argument for a time before the current time. After any other exception, the
-   * potential and GetTime() are those after the last finished substep.
+   * Moves the surface until `time`; the last substep ends exactly at `time`. Throws
+   * std::invalid_argument for a time before the current time, or an invalid motion. After any other
+   * exception, the potential and GetTime() are those after the last finished substep.
    */
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
   /**
-   * Moves the surface until it is steady (IsSteady in the report), or the maximum of substeps is
-   * reached. A surface is steady if its normal speed at the sample points, from all terms, is
-   * within the tolerance, or if the surface only oscillates (Displacement.h). The time of the
-   * surface advances. Throws like Advance.
+   * Makes explicit substeps until the surface is steady (IsSteady in the report), or until the
+   * maximum of substeps. A surface is steady if its normal speed at the sample points, from all
+   * terms, is within the tolerance, or if the surface only oscillates (Displacement.h). The time of
+   * the surface advances. Throws like Advance; std::invalid_argument if the tolerance is not >= 0.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
     Target& target, const ProgressFunction& progress = {});
 
   ///@{
   /** Sums of the counts in the reports since the last Start, StartOnNodes or ForgetWork, and the
-   * largest MaxSpeed. Calls that ended in an exception are included. Clone copies this report. */
+   * largest MaxSpeed. Substeps before an exception in Advance are included. Clone copies this
+   * report. */
   const AdvanceReport& GetWork() const;
   void ForgetWork();
   ///@}
 
   ///@{
-  /** Area and volume of the skin, now and at the start [length^2, length^3], without voids. */
+  /** Area of the skin with the surfaces of voids [length^2], and volume without voids [length^3]:
+   * now, and at the start. */
   double GetArea() const;
   double GetVolume() const;
   double GetStartArea() const;

@@ -20,8 +20,8 @@ ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand
 /**
  * Convert the state, except GetWork, to a grid for files and back, lossless. Active nodes have the
  * potential, other nodes + or - the background; the metadata contain the other numbers of the
- * state. If the band has no ghosts, all nodes of the layers are active. FromGrid throws
- * std::runtime_error for any other grid.
+ * state. If the band has no ghosts, all nodes of the layers are active. For any other grid FromGrid
+ * throws std::runtime_error, or std::invalid_argument if VoxelSize is not > 0.
  */
 ACTIVELEVELSET_EXPORT openvdb::FloatGrid::Ptr ToGrid(const NarrowBand& band);
 ACTIVELEVELSET_EXPORT std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);

@@ -1,7 +1,7 @@
 /**
  * The triangles that separate the inside corners of a voxel from its outside corners, for each of
- * the 256 sign patterns. A triangle's vertices are edges of the voxel: the polygoniser puts one
- * shared mesh vertex on each lattice edge whose ends differ in sign.
+ * the 256 sign patterns. A triangle is given by three edges of the voxel, because the mesh has one
+ * shared vertex on each lattice edge whose ends differ in sign.
  *
  * Over a lattice of any signs, the triangles form a mesh with these properties, except at the
  * boundary of the lattice:

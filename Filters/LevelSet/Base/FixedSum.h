@@ -10,7 +10,8 @@
 namespace activesurface
 {
 
-/** Integers in units of 2^-32; each term is rounded by at most half a unit. */
+/** Two integers: whole numbers, and fractions in units of 2^-32. Each term is rounded by at most
+ * half a unit. */
 class FixedSum
 {
 public:

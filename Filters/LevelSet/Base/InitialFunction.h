@@ -23,7 +23,7 @@ struct SurfacePoints
    * along each axis [length]. */
   double Reach = 0.0;
 
-  /** Box that contains all points where the function is negative. */
+  /** Box outside which the function is not negative. */
   double Bounds[6] = {};
 
   /** Largest distance from a face of NarrowBand::Start's bounds to a wall that cuts the shape
@@ -41,8 +41,8 @@ struct InitialFunction
   /**
    * Visits boxes that together contain the zero set. With boxes, the cost of NarrowBand::Start
    * depends on the boxes, not on the bounds. Outside the boxes the function keeps its sign and is
-   * not evaluated. Empty: the boxes are unknown, and the function is sampled everywhere within the
-   * bounds.
+   * not evaluated. Empty: the boxes are unknown. If Surface is unknown too, the function is sampled
+   * everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 

@@ -5,8 +5,8 @@
  * At its first use the library chooses the best set of the processor, or the set named by the
  * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor does
  * not support is replaced by the best set below it. Results do not depend on the choice: rows are
- * vectorised lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is
- * off.
+ * vectorised lane by lane, no floats are summed across lanes, and contraction to fused multiply-add
+ * is off.
  */
 #ifndef InstructionSets_h
 #define InstructionSets_h

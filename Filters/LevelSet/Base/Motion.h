@@ -8,7 +8,8 @@
  * F - iso: the target's value (Target.h), v: the target's velocity, n: the outward normal, w:
  * weight of tension. In explicit substeps v is 0 and w is 1. kappa = div n is the SUM of the
  * principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 = r0^2 - 4
- * Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to conserve.
+ * Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to conserve. The
+ * terms of AreaStiffness and VolumeStiffness act only in explicit substeps with Control::Penalty.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -184,7 +185,7 @@ struct AdvanceReport
   double MovingDistance = 0.0; //< like MovingShare, but the mean displacement [voxels]
 };
 
-/** Receives the completed fraction, in [0,1], before each substep; returns false to cancel. */
+/** Called repeatedly with the completed fraction, in [0,1]; returns false to cancel. */
 using ProgressFunction = std::function<bool(double)>;
 
 }

@@ -29,8 +29,8 @@ openvdb::Coord ToCoord(const std::array<int, 3>& node)
   return openvdb::Coord(node.data());
 }
 
-/** The nodes around a coordinate along one axis. A coordinate within rounding of a node is that
- * node. */
+/** The nodes around a coordinate along one axis. A coordinate within 1e-6 of a node counts as on
+ * the node. */
 struct Neighbours
 {
   int Lower;
@@ -203,7 +203,7 @@ void Obstacle::Check() const
     text << "ObstacleFunction is not a number within " << 7.0 * this->VoxelSize << " of ("
          << this->VoxelSize * this->BadLeaf[0] << ", " << this->VoxelSize * this->BadLeaf[1] << ", "
          << this->VoxelSize * this->BadLeaf[2]
-         << "), near the skin; return a number wherever the skin moves.";
+         << ") along each axis; return a number wherever the skin moves.";
     throw std::runtime_error(text.str());
   }
 }

@@ -3,7 +3,8 @@
  *
  * The depth of a node is minus the signed distance to the obstacle: positive inside, exact to first
  * order near the obstacle's surface. The obstacle does not change, so the depths of a leaf are
- * sampled once and stored. An obstacle has no effect at nodes more than Reach voxels outside.
+ * sampled once and stored. An obstacle has no effect at nodes that are Reach voxels or more
+ * outside.
  */
 #ifndef Obstacle_h
 #define Obstacle_h
@@ -48,8 +49,9 @@ public:
    * band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
-  /** Returns the depth at a point [world units], interpolated linearly between nodes; -infinity
-   * where the obstacle has no effect, and where the function is NaN. */
+  /** Returns the depth at a point, interpolated linearly between nodes; both in world units.
+   * Returns -infinity if at one of these nodes the obstacle has no effect or the function is NaN.
+   */
   double DepthAt(const double x[3]) const;
 
   /** Throws std::runtime_error if the function was NaN at a node of a leaf. */

@@ -1,6 +1,6 @@
 /**
- * OpenVDB, with templates that are visible to other libraries. All other symbols of this library
- * are hidden.
+ * OpenVDB, with templates that are visible to other libraries. Other symbols of this library are
+ * hidden unless marked ACTIVELEVELSET_EXPORT.
  *
  * OpenVDB's grids keep static members, and the std::once_flag of each, in templates. A program must
  * have one copy of every member and flag. If members were hidden but flags were not, the first

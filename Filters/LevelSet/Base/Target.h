@@ -30,8 +30,8 @@ public:
   virtual ~Target() = default;
 
   /**
-   * Sets the motion time of the next evaluations. Called by one thread at the beginning of each
-   * substep.
+   * Sets the time of the next evaluations. Called by one thread before the evaluations of each
+   * explicit substep.
    */
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
@@ -58,8 +58,8 @@ public:
    * last MoveTo. One box per part is enough; the box has to meet the part. The boxes and their
    * order must depend only on the time, otherwise a restart may create different parts.
    * TargetRegion.h describes the cost. A part that touches the skin is not created, because the
-   * skin grows into it. The boxes of such a part have to be visited in later substeps too, because
-   * the contact may end.
+   * skin grows into the part. The boxes of such a part have to be visited in later substeps too,
+   * because the contact may end.
    */
   void ForEachRegion(const RegionVisitor& visit) const
   {

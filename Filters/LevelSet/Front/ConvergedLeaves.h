@@ -1,14 +1,14 @@
 /**
- * Detects converged leaves: their surface has reached its target or, with Tension, the balance of
- * attraction and tension.
+ * Detects converged leaves: leaves whose surface has reached the target or, with Tension, the
+ * balance of attraction and tension.
  *
  * A leaf has converged if its surface is slower than 0.001 h Attraction L, where h is the voxel
  * size and L the target slope. Without Tension the speed is the target speed at the sample points,
  * interpolated between the nodes. With Tension the speed is the rate of change of u at the nodes of
  * crossed edges, divided by the gradient norm. Only these nodes determine the surface, and
  * reinitialisation does not change these nodes. A leaf that has converged together with its
- * neighbours is skipped: further substeps would roughen the surface. Its potential stays bitwise
- * identical, except for factors of 2 that keep gradient norms near 1.
+ * neighbours is skipped: further substeps would roughen the surface. The leaf's potential stays
+ * bitwise identical, except for factors of 2 that keep gradient norms near 1.
  *
  * Convergence depends only on the potential and the target. Stored speeds are used again until the
  * potential or the target may have changed, so a converged leaf costs very little.

@@ -29,7 +29,8 @@ struct ControlledBand
   int Rounds = 1; //< limits the displacement to 1.5 Rounds; above 1 for long substeps
 };
 
-/** Moves the surface, by at most 1.5 Rounds voxels, until the relative error of the volume is 1e-9.
+/** Moves the surface until the relative error of the volume is at most 1e-9, by at most 1.5 Rounds
+ * voxels in 8 Rounds displacements.
  */
 void RestoreVolume(const ControlledBand& band, double volume);
 

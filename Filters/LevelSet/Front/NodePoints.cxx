@@ -31,7 +31,7 @@ double Interpolate(const Potential& potential, const double x[3])
 }
 
 /** Moves a point of the band along the gradient to the surface. The point does not move where the
- * gradient vanishes: on a medial axis, which has no closest point. */
+ * gradient vanishes: on a medial axis, where the closest point is not unique. */
 void MoveToSurface(const Potential& potential, double x[3])
 {
   constexpr int mostSteps = 8;

@@ -1,6 +1,6 @@
 /**
- * Points at which the target is evaluated for single nodes, in addition to the sample points or in
- * place of them.
+ * Points at which the target is evaluated for single nodes, in addition to the crossings of edges
+ * or in place of the crossings.
  */
 #ifndef NodePoints_h
 #define NodePoints_h
@@ -38,7 +38,7 @@ inline bool HasNodePoints(const Motion& motion)
  * the paper evaluates F(X). Otherwise: no nodes. */
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
 
-/** Writes the points of these nodes (x y z, world units), node by node; returns the end. */
+/** Writes the points of the leaf's NodesWithOwnPoint (x y z, world units); returns the end. */
 double* WriteNodePoints(
   const SampledLattice& lattice, std::size_t leaf, const Motion& motion, double* point);
 

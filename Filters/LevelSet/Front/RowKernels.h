@@ -2,8 +2,8 @@
  * The terms of the evolution equation on a row of eight nodes.
  *
  * Plain loops without branches, which the compiler vectorises. u points at the row in a LeafBlock;
- * differences are per voxel. Nothing is reduced across a row, and contraction to fused multiply-add
- * is off, so results are bitwise identical for any vector width.
+ * differences are per voxel. No floats are summed across a row, and contraction to fused
+ * multiply-add is off, so results are bitwise identical for any vector width.
  */
 #ifndef RowKernels_h
 #define RowKernels_h

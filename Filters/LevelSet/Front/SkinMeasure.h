@@ -25,7 +25,7 @@ inline double AreaGainOfSphere(double area)
   return std::sqrt(16.0 * pi * area);
 }
 
-/** Sums over leaves in any order, in voxels. */
+/** Sums over leaves, independent of the order [voxels^2, voxels^3]. */
 struct SkinSums
 {
   FixedSum Area, Volume;

@@ -16,8 +16,8 @@ namespace activesurface
 {
 
 /**
- * Resizes a vector. If the vector grows, its contents are lost, so that the old and new memory
- * never coexist.
+ * Resizes a vector. If the vector needs new memory, its contents are lost, so that the old and new
+ * memory never coexist.
  */
 template <class Value>
 void MakeRoom(std::vector<Value>& room, std::size_t size)

@@ -5,7 +5,8 @@
  * weighted by 1/t^2. Here t is the fraction of the edge from the node to the crossing. If the
  * surface is a plane, the mean is the value at the closest point of the plane. Sweeps extend the
  * speed from these nodes to nodes farther from the surface. An extended speed is the mean over the
- * neighbours with known speeds, with the weight max(|u| - |u_n|, 0) for the neighbour n.
+ * neighbours with known speeds, with the weight max(|u| - |u_n|, 0) for the neighbour n, or the
+ * plain mean if all weights are 0.
  */
 #ifndef TargetSpeed_h
 #define TargetSpeed_h

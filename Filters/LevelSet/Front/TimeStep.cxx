@@ -167,9 +167,11 @@ void CheckBounded(bool isUnbounded, double time)
   if (isUnbounded)
   {
     std::ostringstream text;
-    text << "The skin stays at the motion time " << time
-         << ", because the potential would not be finite after the next substep. Lower CFL to 1 or "
-         << "less, set GradientScheme to UPWIND, and Tension to a number >= 0.";
+    text
+      << "The skin stays at the motion time " << time
+      << " (TimeScale * elapsed time), because the potential would not be finite after the next "
+      << "substep. Lower CFL to 1 or less, set GradientScheme to UPWIND, and Tension to a number "
+      << ">= 0.";
     throw std::runtime_error(text.str());
   }
 }

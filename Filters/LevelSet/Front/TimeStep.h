@@ -26,7 +26,7 @@ struct PenaltyForce
 PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start);
 
 /** Return the area or volume to conserve: TargetArea or TargetVolume, or the value at the start.
- * Throw std::invalid_argument if there is no such value. */
+ * Throw std::invalid_argument if this value is 0 or not finite. */
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
@@ -45,7 +45,7 @@ double RelaxationFor(double tracking, double advection);
 /** Throws std::invalid_argument for invalid parameters. */
 void CheckMotion(const Motion& motion);
 
-/** Throws std::runtime_error if the remaining time needs more than a million of these steps, or if
+/** Throws std::runtime_error if the remaining time needs a million of these steps or more, or if
  * the step is too small for single precision. */
 void CheckStep(double step, double voxelSize, double remaining);
 

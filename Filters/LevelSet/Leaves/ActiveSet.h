@@ -24,7 +24,8 @@ struct ActiveSet
   /** Chooses these leaves, with their neighbours as affected leaves. */
   void Choose(const LeafTable& table, LeafList active);
 
-  /** Adds leaves that the substep has just created, with numbers above all others. */
+  /** Adds leaves that the substep has just created to Affected. Their numbers are above those of
+   * all other leaves. */
   void AddCreated(const LeafList& created);
 };
 

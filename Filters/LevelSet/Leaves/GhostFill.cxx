@@ -235,8 +235,8 @@ LeafList Without(const LeafList& leaves, const LeafList& others)
   return rest;
 }
 
-// Fills ghosts in leaves next to the affected leaves. Three-point rays over three layers reach
-// ghosts up to nine nodes from an updated node, beyond the affected leaves.
+// Fills ghosts of layer 4 in leaves next to the affected leaves. Three-point rays over three layers
+// reach ghosts up to nine nodes from an updated node, beyond the affected leaves.
 void FillBesideAffected(LeafTable& table, const ActiveSet& set)
 {
   const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);

@@ -21,8 +21,8 @@
 namespace activesurface
 {
 
-/** Fills ghosts, and nodes that entered the band, in the affected leaves; fills ghosts in leaves
- * next to the affected leaves. */
+/** Fills ghosts, and nodes that entered the band, in the affected leaves; fills ghosts of layer 4
+ * in leaves next to the affected leaves. */
 void FillGhosts(LeafTable& table, const ActiveSet& set);
 
 }

@@ -17,14 +17,15 @@ namespace activesurface
  */
 void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Calls FindLayers, finds the active nodes (band and pockets) and sets the nodes outside all
- * layers to + or - the background. */
+/** Like FindLayers. In the affected leaves, also finds the active nodes (band and pockets) and sets
+ * the nodes outside all layers to + or - the background. */
 void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
 /** Replaces leaves without layers and without active nodes by tiles of their sign. */
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 
-/** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns their number. */
+/** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns the count of edges.
+ */
 std::size_t NumberCrossings(LeafTable& table);
 
 /** ReadActiveMasks copies the active masks from the leaves of the tree, WriteActiveMasks to the

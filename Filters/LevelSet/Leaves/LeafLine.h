@@ -51,7 +51,7 @@ private:
 };
 
 /** Returns the mask whose node n is set if `mask` has n + Steps along an axis. next: the mask of
- * the leaf in that direction. Steps: -7 to 7. */
+ * the leaf in that direction. Steps: -7 to 7, not 0. */
 template <int Axis, int Steps>
 ACTIVE_ALWAYS_INLINE LeafMask Seen(const LeafMask& mask, const LeafMask& next)
 {

@@ -156,7 +156,7 @@ public:
 
   LeafSummary& SummaryOf(std::size_t i) { return this->Summaries[i]; }
   const LeafSummary& SummaryOf(std::size_t i) const { return this->Summaries[i]; }
-  /** Updates the summary of a leaf whose nodes have changed, except its Speed. */
+  /** Updates the summary of a leaf whose nodes have changed, except Speed and IsForeign. */
   ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
 
   ///@{

@@ -1,9 +1,9 @@
 /**
- * Nodes of a coarser lattice at which the surface and its target are on different sides: at these
- * nodes the surface still has to move.
+ * Nodes of a lattice at which the surface and its target are on different sides: at these nodes the
+ * surface still has to move. The lattice's spacing is GetStride() voxels.
  *
  * Node (i,j,k) is at (i,j,k) * GetSpacing(). The search starts at the surface and follows connected
- * nodes along edges. Its cost is proportional to the volume between the surface and the target.
+ * nodes along edges. The cost is proportional to the volume between the surface and the target.
  */
 #ifndef DifferingNodes_h
 #define DifferingNodes_h
@@ -50,14 +50,15 @@ public:
     double Distance; //< |F|
   };
 
-  /** stride: spacing of the coarser lattice [voxels]. The search stops slightly beyond `most`
-   * nodes. */
+  /** stride: spacing of the lattice [voxels]. The search advances front by front, and stops after
+   * the front that exceeds `most` nodes. */
   DifferingNodes(const ArrivalSearch& search, int stride, std::size_t most);
   DifferingNodes(const DifferingNodes&) = delete; // the accessor belongs to this tree
   void operator=(const DifferingNodes&) = delete;
 
   /** Adds a differing node that was not found from the surface, and all differing nodes connected
-   * with this node. Returns false if the node was found before or does not differ. */
+   * with this node. Returns false if the node was found before, does not differ or is out of
+   * bounds. */
   bool AddFrom(const openvdb::Coord& place);
   /** Returns the given nodes that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;

@@ -132,7 +132,8 @@ private:
     return reached.back();
   }
 
-  /** Returns true if a region common to surface and target, next to the part, is deep enough. */
+  /** Returns true if a region common to surface and target, next to the part, is deep enough, or
+   * too large to be searched. */
   bool HasCommonDepth(const std::vector<std::size_t>& part)
   {
     const bool areInside = !this->Nodes[part.front()].IsInside;

@@ -19,8 +19,9 @@ struct PartCore
   bool IsHollow;
 };
 
-/** Returns a core for each part that the surface does not reach: parts that the target reports, and
- * parts found on a lattice of at most 64 nodes along an axis. */
+/** Returns a core for each part that the surface does not reach, or meets only in a region too thin
+ * to grow from. Parts are those that the target reports, and those found on a lattice of at most 64
+ * cells along an axis. Returns no cores if too many nodes differ. */
 std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
 
 /** A target that consists only of the cores. */

@@ -19,9 +19,9 @@ class Domain;
 class NodeHalo
 {
 public:
-  /** Collective. Removes leaves of other ranks from a shell, then appends the halo: other ranks'
-   * leaves around this rank's partition, with empty Rows. Keeps the order of own leaves. Returns
-   * the number of own leaves. Without a domain all leaves are own. */
+  /** Collective. Removes leaves of other ranks from a shell, then appends the halo: shell leaves of
+   * other ranks next to this rank's partition, with empty Rows. Keeps the order of own leaves.
+   * Returns the number of own leaves. Without a domain all leaves are own. */
   std::size_t Find(const Domain* domain, std::vector<ShellLeaf>& shell);
 
   /** Collective. Replaces the numbers in halo leaves by those of the owners. Does nothing without a

@@ -2,9 +2,9 @@
  * A frame of the node scheme. The motion of the target carries the potential. The target is
  * evaluated once, at the nodes near its surface. Stages move the potential towards the target.
  *
- * The scheme needs no iteration, extension or search. Where the target has a new part, the distance
- * to the target is negative, so the part appears. Where the target has lost a part, the skin
- * disappears.
+ * The scheme needs no extension of speeds and no search for parts. Where the target has a new part,
+ * the distance to the target is negative, so the part appears. Where the target has lost a part,
+ * the skin disappears.
  */
 #ifndef NodeStep_h
 #define NodeStep_h

@@ -25,7 +25,7 @@ bool IsNearSurface(const float* values)
 
 }
 
-/** Fetches the old leaves that this rank reads from the ranks that own them. */
+/** Fetches the old leaves that this rank reads and other ranks own. */
 void NodeStep::FetchOld(const NodeFrame& frame, const NodeTarget& target)
 {
   this->Motions.clear();

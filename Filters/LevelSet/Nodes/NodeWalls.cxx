@@ -42,7 +42,8 @@ struct WallSide
   double Place; //< coordinate [voxels]
 };
 
-/** Cosine between the gradient and the direction to a wall; 0 where the gradient vanishes. */
+/** Cosine between the gradient and the direction to a wall; 0 where the cosine is negative or the
+ * gradient vanishes. */
 float CosineToWall(const WallSide& side, const float (&gradient)[3])
 {
   const float square =

@@ -16,7 +16,7 @@ namespace activesurface
 /**
  * Samples the lattice within the bounds plane by plane, and keeps two planes. Nodes near sign
  * changes get distances (InitialDistances.h). If the function is negative at a face of the bounds,
- * the shape is closed half a voxel inside the outermost nodes. NaN counts as outside.
+ * the shape is closed about half a voxel inside the outermost nodes. NaN counts as outside.
  *
  * Returns a tree of u with background Far and inside tiles -Far; null if `progress` cancelled the
  * sampling. Throws like NarrowBand::Start.

@@ -22,7 +22,7 @@ class LatticeFunction
 {
 public:
   /** The caller owns the function and the limits. At nodes on or beyond the faces of the limits,
-   * values are replaced by their magnitudes. Without limits values are unchanged. */
+   * values are replaced by their magnitudes. Without limits values are not replaced. */
   LatticeFunction(
     double voxelSize, const InitialFunction& function, const LatticeBox* limits = nullptr)
     : VoxelSize(voxelSize)
@@ -33,7 +33,7 @@ public:
 
   /**
    * Evaluates the function at `nodes` of the leaf at an origin. Values at other nodes of the leaf
-   * are unchanged.
+   * are not written.
    */
   void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
 

@@ -59,8 +59,8 @@ public:
   /** Adds a leaf without nodes unless the leaf exists. Returns the index of the leaf. */
   std::int32_t Add(const openvdb::Coord& origin);
 
-  /** Adds the leaves of all nodes in a region and of their neighbours, within the limits. Throws
-   * like RefuseManyLeaves. */
+  /** Adds the leaves of all nodes in a region, and of the next nodes outside the region, within the
+   * limits. Throws like RefuseManyLeaves. */
   void AddRegion(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
     std::size_t maximumNumberOfActiveVoxels);
 
@@ -74,8 +74,9 @@ private:
   openvdb::tree::ValueAccessor<openvdb::Int32Tree> Recent{ this->Numbers };
 };
 
-/** Throws std::runtime_error if the leaves are too many to search for a band of this size. A
- * function that is negative everywhere has an infinite number of leaves. */
+/** Throws std::runtime_error if the leaves have more than 40 nodes for each active voxel of the
+ * maximum. The inside of a function that is negative everywhere has an infinite number of leaves.
+ */
 void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels);
 
 }

@@ -1,5 +1,5 @@
 /**
- * Initial potential of a function whose surface is given by points.
+ * Initial potential of a function whose surface is in known boxes, or near known points.
  */
 #ifndef NearbyStart_h
 #define NearbyStart_h

@@ -42,7 +42,7 @@ private:
   void Sample(const LatticeFunction& function, std::size_t i);
   void StartAtCrossings(std::size_t i);
   float DistanceToCrossings(std::size_t i, int node) const;
-  /** Runs one sweep. Returns false if all nodes of the layers are known. */
+  /** Runs one sweep. Returns false if the sweep has reached no further node of the layers. */
   bool Extend();
   bool ExtendLeaf(std::size_t i);
   LeafMask FindFront(std::size_t i) const;

@@ -45,8 +45,8 @@ inline bool Differs(double target, bool isInside)
   return !std::isnan(target) && (target < 0.0) != isInside;
 }
 
-/** Adds the leaves from which the search starts, with empty masks. NewParts.h describes the seeds
- * of regions and parts of shapes. */
+/** Adds the leaves from which the search starts, with empty masks. TargetRegion.h describes the
+ * seeds of regions. */
 class PartSeeds
 {
 public:
@@ -63,8 +63,8 @@ public:
 private:
   using Nodes = std::vector<openvdb::Coord>;
 
-  /** Candidate seeds: boxes to be searched node by node, and region centres whose sign in the
-   * skin differs from the expected sign of the target. */
+  /** Candidate seeds: boxes to be searched node by node, and region centres at which the signs of
+   * the skin and of the target may differ. */
   struct Candidates
   {
     std::vector<TargetRegion> Boxes;

@@ -19,7 +19,7 @@ namespace activesurface
 
 /**
  * Appends the leaves of this rank. Byte order and layout are those of the machine, so the bytes are
- * only for this process.
+ * for this program's ranks, not for files.
  */
 void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 

@@ -30,8 +30,8 @@ double GetNumber(const openvdb::FloatGrid& grid, const char* name)
   const auto number = grid.getMetadata<openvdb::DoubleMetadata>(name);
   if (!number || !std::isfinite(number->value()))
   {
-    throw std::runtime_error(std::string("The grid is no saved state of a surface: ") + name +
-      " is missing, or not a finite number.");
+    throw std::runtime_error(
+      std::string("the number ") + name + " of its grid is missing or not finite.");
   }
   return number->value();
 }
@@ -89,8 +89,7 @@ StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid)
   {
     if (!std::isfinite(*value))
     {
-      throw std::runtime_error(
-        "The saved potential is not finite everywhere; the file is damaged.");
+      throw std::runtime_error("a value of its potential is not finite; the file is damaged.");
     }
   }
   CheckTree(grid.tree());
@@ -141,7 +140,7 @@ void CheckTree(const openvdb::FloatTree& tree)
 
 void RefuseState()
 {
-  throw std::runtime_error("The saved state is damaged.");
+  throw std::runtime_error("the saved state is damaged.");
 }
 
 }

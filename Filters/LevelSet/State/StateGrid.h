@@ -35,8 +35,8 @@ struct StateNumbers
 openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 
-/** Throws std::runtime_error if a number is missing, a value is not finite, or the tree is damaged
- * (see CheckTree). */
+/** Throws std::runtime_error if a number is missing or not finite, an active value is not finite,
+ * or the tree is damaged (see CheckTree). */
 StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid);
 
 }

@@ -20,8 +20,8 @@ struct PointWithMargin
 
 /**
  * Returns the number of points that are outside and farther than their margins from all triangles
- * of the skin. Without a surface all points count. Margins may be wider than the band. Points with
- * numbers that are not finite do not count.
+ * of the skin. Without a surface all finite points count. Margins may be wider than the band.
+ * Points with numbers that are not finite do not count.
  *
  * For each point, reads the voxel of the potential that contains the point. If the point is outside
  * and its margin meets the leaves, also reads the voxels of the leaves within the margin. Allocates

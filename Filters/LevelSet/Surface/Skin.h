@@ -44,7 +44,7 @@ public:
   std::vector<std::int64_t> NumberVertices() const;
 
   /** Returns true if the surface is so far from the origin that single precision would move points
-   * by a hundredth of a voxel. */
+   * by about a hundredth of a voxel. */
   bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }
 
   ///@{

@@ -44,8 +44,8 @@ public:
    */
   double Evaluate(const double x[3], double* gradient) const;
 
-  /** Box of the voxels that the surface crosses [world units]. Returns false, with bounds
-   * unchanged, if there is no surface. */
+  /** Box of the voxels that the surface crosses [world units]. Returns false, and does not write
+   * bounds, if there is no surface. */
   bool GetBounds(double bounds[6]) const;
 
 private:
