@@ -18,8 +18,8 @@
 #endif
 
 // ACTIVE_ALWAYS_INLINE precedes a function, ACTIVE_INLINED follows the parameters of a lambda. A
-// function that a kernel calls gets the instruction set of the kernel only if it is inlined into
-// the kernel.
+// function that a kernel calls gets the instruction set of the kernel only if the function is
+// inlined into the kernel.
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
 

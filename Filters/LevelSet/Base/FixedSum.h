@@ -1,5 +1,5 @@
 /**
- * A sum that does not depend on the order of its terms, or on the ranks and threads that add them.
+ * A sum that does not depend on the order of the terms, or on the ranks and threads that add terms.
  */
 #ifndef FixedSum_h
 #define FixedSum_h

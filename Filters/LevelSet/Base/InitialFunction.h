@@ -49,7 +49,7 @@ struct InitialFunction
   /**
    * Points near the zero set. If the points are known, NarrowBand::Start uses the points instead
    * of the boxes, at a cost that depends on the number of points. The potential is bitwise
-   * identical to the one from samples everywhere within the bounds.
+   * identical to a potential from samples everywhere within the bounds.
    */
   SurfacePoints Surface;
 };

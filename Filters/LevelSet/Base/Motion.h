@@ -77,7 +77,8 @@ struct Motion
    */
   double Transport = 0.0;
 
-  /** If true, the target's weights multiply Tension. Used only by TimeIntegration::Nodes. */
+  /** If true, a weight from the target's bulk (LeafMotion) multiplies Tension. Used only by
+   * TimeIntegration::Nodes. */
   bool WeightedTension = false;
 
   /**
@@ -87,7 +88,8 @@ struct Motion
    */
   double CFL = 1.0;
 
-  /** Upper bound of a substep, > 0. The target is evaluated once per substep, at its beginning. */
+  /** Upper bound of a substep, > 0. The target is evaluated once, at the beginning of the substep.
+   */
   double LongestStep = std::numeric_limits<double>::infinity();
 
   ///@{

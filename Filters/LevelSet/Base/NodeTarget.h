@@ -56,14 +56,14 @@ struct NodeMotion
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
-/** Freedom of the skin around a target whose surface is uncertain by a pixel, such as a label. The
- * skin stays where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth. In this range
- * tension smooths the skin, without attraction. */
+/** Freedom of the skin around a target whose surface is uncertain by a pixel, for example a label
+ * image. The skin stays where the potential of EvaluateLeaf is between -HalfWidth and HalfWidth. In
+ * this range tension smooths the skin, without attraction. */
 struct NodeFreedom
 {
   float HalfWidth = 0.f; //< 0: the skin is attracted everywhere
-  /** Lower bound of the potential's slope [1/voxel], for thin parts: there central differences give
-   * smaller slopes. */
+  /** Lower bound of the potential's slope [1/voxel]: in thin parts central differences give smaller
+   * slopes. */
   float LeastSlope = 0.f;
 };
 

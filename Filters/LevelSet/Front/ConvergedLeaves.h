@@ -10,8 +10,8 @@
  * neighbours is skipped: further substeps would roughen the surface. The leaf's potential stays
  * bitwise identical, except for factors of 2 that keep gradient norms near 1.
  *
- * Convergence depends only on the potential and the target. Stored speeds are used again until the
- * potential or the target may have changed, so a converged leaf costs very little.
+ * Convergence depends only on the potential, the target and the motion. Stored speeds are used
+ * again until the potential or the target may have changed, so a converged leaf costs very little.
  */
 #ifndef ConvergedLeaves_h
 #define ConvergedLeaves_h

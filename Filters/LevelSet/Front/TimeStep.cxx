@@ -120,7 +120,7 @@ void CheckMotion(const Motion& motion)
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
   Require(motion.Integration == TimeIntegration::Explicit || motion.Tension >= 0.0,
-    "The node scheme needs a Tension >= 0.");
+    "The node scheme needs a Tension >= 0; raise Tension, or set TimeIntegration to EXPLICIT.");
   Require(!motion.CreateParts || !motion.Paper,
     "The paper's scheme cannot create parts; set Paper or CreateParts to false.");
 }

@@ -30,8 +30,7 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
-/** Returns the rate of the target's speed and slope, a term of the sum that limits the time step
- * [1/time]. */
+/** Returns the target's rates in the sum that limits the time step [1/time]; see Motion::CFL. */
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
 
 /** The largest stable step; infinite if nothing moves. */

@@ -95,7 +95,7 @@ private:
     }
   };
 
-  /** The leaf's neighbour (nx, ny), and the leaves before and after it along z. */
+  /** The leaf's neighbour (nx, ny), and the leaves before and after this neighbour along z. */
   struct RowSource
   {
     Rows Before, Middle, After;

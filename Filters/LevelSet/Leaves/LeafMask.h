@@ -112,7 +112,8 @@ ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
   return seen;
 }
 
-/** Returns the mask whose node n is set if `mask` has n - steps. steps: 1 to 7. */
+/** Returns the mask whose node n is set if `mask` has n - steps. previous: the mask of the
+ * neighbour leaf in that direction. steps: 1 to 7. */
 ACTIVE_ALWAYS_INLINE LeafMask SeenBehind(
   const LeafMask& mask, const LeafMask& previous, int axis, int steps)
 {

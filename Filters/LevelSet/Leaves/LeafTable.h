@@ -51,7 +51,7 @@ constexpr int FaceNumber(int axis, int sign)
   return 13 + sign * (axis == 0 ? 9 : axis == 1 ? 3 : 1);
 }
 
-/** Distance in a leaf's array from a node to the next one along an axis. */
+/** Distance in a leaf's array from a node to the next node along an axis. */
 constexpr int Stride(int axis)
 {
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;

@@ -19,8 +19,8 @@ namespace
 {
 
 /**
- * A static target for a surface that has to arrive at a given time. Its value is the remaining
- * distance of the surface.
+ * A static target for a surface that has to arrive at a given time. The target's value is the
+ * remaining distance of the surface.
  */
 class ArrivingTarget : public Target
 {
@@ -84,8 +84,8 @@ void ArrivingTarget::Evaluate(
   }
 }
 
-// Replaces the value F by the remaining distance, with the sign of F. The magnitude is
-// max(remaining * min(|F| / h, 1), min(|F|, 2 h)), where h is the voxel size.
+// If remaining >= 0, replaces the value F by the remaining distance, with the sign of F. The
+// magnitude is max(remaining * min(|F| / h, 1), min(|F|, 2 h)), where h is the voxel size.
 void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
 {
   const double distance = std::fabs(value), voxel = this->VoxelSize;

@@ -80,7 +80,7 @@ private:
     }
   }
 
-  /** Returns the nodes that are connected with a node, on its side. */
+  /** Returns the differing nodes on the side of a node that are connected with this node. */
   std::vector<std::size_t> Connected(std::size_t first, std::vector<char>& isKnown)
   {
     std::vector<std::size_t> part = { first };

@@ -33,7 +33,7 @@ public:
 
   /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at which
    * the surface has to grow (grow[i]), or to shrink (not grow[i]). A distance is negative if no
-   * such node is near. */
+   * corner of the voxel around the point is such a node. */
   void Find(std::size_t count, const double* points, const bool* grow, double* distances) const;
 
 private:

@@ -13,7 +13,7 @@ namespace activesurface
 namespace
 {
 
-/** Least number of stages: four decays by e^(-1.5) at the usual attraction a = 6. */
+/** Least number of stages: four decays by e^(-1.5) at the usual Attraction dt = 6. */
 constexpr int FewestStages = 4;
 
 /** Without attraction, up to this number of stages compute all tension by differences over 2 nodes.
@@ -28,8 +28,8 @@ constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
 
 /**
- * Factor of the attraction within the noise. With this factor and the usual attraction, distances
- * fall by a sixth per frame.
+ * Factor of the attraction within the noise. With this factor and Attraction dt = 6, distances fall
+ * by a sixth per frame.
  */
 constexpr float SlowShare = .03f;
 /**

@@ -17,7 +17,7 @@
 namespace activesurface
 {
 
-/** costsBefore: for each leaf the sum of the costs of all leaves before it, followed by the total
+/** costsBefore: for each leaf the sum of the costs of all earlier leaves, followed by the total
  * cost. Returns the first leaf of each rank, followed by the number of leaves. The costs of a rank
  * differ from the mean by less than the costs of the leaves at both ends of its range. */
 std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);

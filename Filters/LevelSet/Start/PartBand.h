@@ -12,8 +12,8 @@ namespace activesurface
 {
 
 /**
- * A tree of u with background Far and inside tiles -Far, and its leaves with their layers. Only
- * leaves with layers exist.
+ * A tree of u with background Far and inside tiles -Far, and its leaves with the layers. The tree
+ * has no leaves without layers.
  */
 class PartBand
 {
