@@ -135,7 +135,8 @@ public:
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
 
   /** Creates the parts and hollows that the target reports and the surface does not reach; see
-   * Motion::CreateParts. Returns the number of created parts and hollows. Throws like Advance. */
+   * Motion::CreateParts. Returns the number of created parts and hollows. Throws std::runtime_error
+   * beyond the maximum number of active voxels. */
   std::size_t CreateParts(const Motion& motion, const Target& target);
 
   /** Clips the surface at the walls, if present, and at the obstacle, unless null. Throws

@@ -40,9 +40,9 @@ struct InitialFunction
 
   /**
    * Visits boxes that together contain the zero set. With boxes, the cost of NarrowBand::Start
-   * depends on the boxes, not on the bounds. Outside the boxes the function keeps its sign and is
-   * not evaluated. Empty: the boxes are unknown. If Surface is unknown too, the function is sampled
-   * everywhere within the bounds.
+   * depends on the boxes, not on the bounds. Outside the boxes the function keeps its sign, and is
+   * evaluated only at nodes near the boxes. Empty: the boxes are unknown. If Surface is unknown
+   * too, the function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 

@@ -36,8 +36,8 @@ double SpeedOfVoxel(const ConvergenceRule& rule)
 
 /**
  * Returns true if the target may have changed in the box that determines the speeds of a leaf. The
- * box includes the next leaves: edges of the leaf end at nodes of the next leaves, and these nodes
- * have edges too.
+ * box includes the first nodes of the next leaves, because edges of the leaf end at these nodes,
+ * and these nodes have edges too.
  */
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {

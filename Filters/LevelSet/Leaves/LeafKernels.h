@@ -12,7 +12,7 @@ namespace activesurface
 
 /**
  * Prefetches the 512 numbers of the next leaf. Processors do not predict these reads: rows are read
- * out of order, and each leaf is in a separate page.
+ * out of order, and the buffers of leaves are allocated separately.
  */
 ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
 {

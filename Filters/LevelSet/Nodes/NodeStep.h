@@ -36,8 +36,9 @@ class NodeStep
 {
 public:
   /**
-   * Returns a tree with the potential at the end of the frame. Throws std::runtime_error beyond the
-   * maximum of active voxels, or if the obstacle is NaN. Buffers are kept for the next call.
+   * Returns a tree with the potential at the end of the frame. Throws std::runtime_error if the
+   * shell has too many leaves for the maximum of active voxels, or if the obstacle is NaN. Buffers
+   * are kept for the next call.
    */
   openvdb::FloatTree::Ptr Make(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 

@@ -9,7 +9,8 @@
  *
  * The value is a first-order distance: exact at the surface, good within about 1.5 voxels. Beyond
  * all layers u is +-HalfWidth and the gradient norm is 1. Gradient norms below 0.05 count as 0.05.
- * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13 voxel.
+ * The sign is that of U, so the surface passes through the vertices of the Skin, except vertices
+ * that Skin.h keeps away from a node.
  *
  * Evaluation needs constant time, allocates nothing and is thread-safe. Memory: two numbers for
  * each node of the band's leaves.
