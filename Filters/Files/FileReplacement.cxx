@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-// Makes a name unique to the process and the file, so that two writers never share a file.
+// Makes a name unique to the process and the object: two writers on one machine share no file.
 std::string MakeTemporaryName(const std::string& name)
 {
   static std::atomic<unsigned> count{ 0 };
@@ -31,7 +31,7 @@ FileReplacement::FileReplacement(const std::string& name)
   const auto status = std::filesystem::status(name, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw std::runtime_error("its name is that of a folder or a device");
+    throw std::runtime_error("its name is that of a folder or a device; choose another name");
   }
 }
 

@@ -18,10 +18,10 @@ namespace activesurface
 class ACTIVEFILES_EXPORT FileReplacement
 {
 public:
-  // Throws std::runtime_error if the name belongs to a folder or a device.
+  // Throws std::runtime_error if the name belongs to a folder, a device or another special file.
   explicit FileReplacement(const std::string& name);
 
-  // Removes the temporary file unless Finish was called; an existing file is kept.
+  // Removes the temporary file unless Finish succeeded; an existing file is kept.
   ~FileReplacement();
 
   const std::string& GetTemporaryName() const { return this->TemporaryName; }

@@ -1,5 +1,5 @@
 /**
- * Measures of a surface at a time step, and its changes since the previous time step.
+ * Measures of a surface at a time step, and of the motion since the previous time step.
  */
 #ifndef HistoryRow_h
 #define HistoryRow_h

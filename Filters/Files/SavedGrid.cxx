@@ -97,7 +97,7 @@ void ReadOutside(const openvdb::GridBase& grid, std::vector<HistoryRow>& rows)
   }
 }
 
-// Returns 0 if there is no such number.
+// Returns 0 if the grid has no number of this name.
 double ReadLength(const openvdb::GridBase& grid, const char* name)
 {
   const auto length = grid.getMetadata<openvdb::DoubleMetadata>(name);

@@ -23,7 +23,7 @@ namespace
 {
 
 /** Opens an openvdb::io::File without delayed loading, so that its grids are independent of the
- * file. Later versions of OpenVDB have no delayed loading. */
+ * file. Versions of OpenVDB without delayed loading have only open(). */
 template <class File>
 auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
 {
@@ -147,7 +147,8 @@ void FileValidator::ReadHeader()
   {
     throw std::runtime_error("its format has the version " + std::to_string(this->Version) +
       "; only the versions " + std::to_string(OldestVersion) + " to " +
-      std::to_string(openvdb::OPENVDB_FILE_VERSION) + " can be read");
+      std::to_string(openvdb::OPENVDB_FILE_VERSION) +
+      " can be read; convert the file to one of them");
   }
   this->Source.Skip(2 * sizeof(std::uint32_t)); // version of the library
   this->HasPlaces = this->Source.Read<char>() != 0;
@@ -184,12 +185,12 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   this->Compression = this->Source.Read<std::uint32_t>();
   if (this->Compression > (COMPRESS_ZIP | COMPRESS_ACTIVE_MASK | COMPRESS_BLOSC))
   {
-    RefuseDamage("a grid has an unknown compression");
+    RefuseDamage("the grid " + grid.Name + " has an unknown compression");
   }
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
   this->ReadTransform(grid);
-  // If type and metadata disagree, OpenVDB's reader follows the metadata.
+  // If type and metadata disagree about half floats, OpenVDB's reader follows the metadata.
   const openvdb::Metadata::ConstPtr half =
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
@@ -206,8 +207,9 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   }
   if (!grid.IsKnown)
   {
-    throw std::runtime_error("its grid " + grid.Name + " has the unknown type " + grid.Type +
-      ", or a transform that is not linear, and cannot be skipped; remove the grid from the file");
+    throw std::runtime_error("its grid " + grid.Name + " has an unknown type (" + grid.Type +
+      ") or a transform that is not linear, and cannot be skipped because the file has no offsets; "
+      "remove the grid from the file");
   }
   this->ValidateTree(grid, metadata);
 }
@@ -237,7 +239,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   const double rounding = 1e-9 * (1.0 + there.length() / grid.Transform->voxelSize().length());
   if (!(miss <= std::max(rounding, 1e-6)))
   {
-    RefuseDamage("the transform of a grid cannot be inverted");
+    RefuseDamage("the transform of the grid " + grid.Name + " cannot be inverted");
   }
 }
 
@@ -296,7 +298,7 @@ void FileValidator::FindParents(VDBFile& file) const
     }
     if (!parent || parent->Type != grid.Type)
     {
-      RefuseDamage("a grid shares the tree of a grid that does not exist");
+      RefuseDamage("the grid " + grid.Name + " shares the tree of a grid that does not exist");
     }
     grid.ActiveVoxels = parent->ActiveVoxels;
     grid.NumberOfLeaves = parent->NumberOfLeaves;
@@ -332,8 +334,9 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   {
     throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
       " cannot be read: " +
-      (grid.Transform ? "its type " + grid.Type + " is not supported."
-                      : "its transform is not linear."));
+      (grid.Transform ? "its type " + grid.Type + " is not supported"
+                      : "its transform is not linear") +
+      "; choose another grid.");
   }
   try
   {

@@ -4,8 +4,8 @@
  * OpenVDB's reader trusts the file: a flipped bit may make the reader allocate any amount of
  * memory, loop for hours or read beyond its arrays. Validation checks every size field first, down
  * to the last leaf. Validation builds no tree: it reads all masks and skips the values. OpenVDB
- * then reads the file without fault, whatever its values are. The memory needed is at most a few
- * hundred times the file size.
+ * then reads the file without these faults, or throws, whatever the values are. The memory needed
+ * is at most a few hundred times the file size.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -40,7 +40,8 @@ struct ACTIVEFILES_EXPORT VDBGrid
   openvdb::CoordBBox ActiveBox;
   ///@}
 
-  /** Value type: float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points. */
+  /** Value type (float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points), or the type
+   * of the tree if the value type is unknown. */
   const char* GetValueType() const;
 };
 
@@ -52,14 +53,16 @@ struct VDBFile
 
 /**
  * Validates a file and lists its grids. If `trees` is false, skips the trees of a file that
- * OpenVDB's io::File has written. Throws std::runtime_error for a file that is missing, damaged, or
- * older than OpenVDB 2 (version 222 of the format). The message names the file.
+ * OpenVDB's io::File has written. Throws std::runtime_error for a file that is missing or damaged,
+ * or whose format is older than version 222 (OpenVDB 2) or newer than the library. The message
+ * names the file.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
 /**
  * Reads a grid of a file that was validated with its trees. If a box [world] is given and the grid
- * can be clipped, reads only the leaves that meet the box. Throws std::runtime_error.
+ * can be clipped, reads only the leaves that meet the box. Throws std::runtime_error if the grid
+ * cannot be read.
  */
 ACTIVEFILES_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);

@@ -202,7 +202,7 @@ void vtkActiveEXRReader::NameFiles()
   }
 }
 
-// Collects times, extent and parts from the headers of all files.
+// Collects times and extent from the headers of all files, and the parts of the first file.
 void vtkActiveEXRReader::ScanFiles()
 {
   Series& files = *this->Files;

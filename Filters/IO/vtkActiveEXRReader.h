@@ -2,7 +2,7 @@
  * @class   vtkActiveEXRReader
  * @brief   reads .exr images: all layers, as arrays
  *
- * One part of a file becomes an image of one slice, whose point arrays are the file's layers.
+ * One part of a file becomes an image of one slice. The point arrays are the layers of the part.
  *
  * @par Arrays
  *   | Channels of the file            | Array of the image            |
@@ -19,7 +19,8 @@
  * - Colors are returned as the file stores them: linear.
  * - A sample of a subsampled channel is repeated over its pixels.
  * - Scanline files are read, and the finest level of tiled files. Deep data is an error.
- * - The attributes of the header become field data of the output, by their names.
+ * - Attributes of the header that consist of numbers or texts become field data of the output, by
+ *   their names; a few types of OpenEXR are left out.
  *
  * @par Pixels
  * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
@@ -35,14 +36,14 @@
  * - A request for a time between two steps returns the earlier step.
  *
  * @par Properties and classes of VTK
- * - Of vtkImageReader2, only the properties FileName, FileNames, DataSpacing, DataOrigin and
- *   MemoryBuffer have an effect.
+ * - Of vtkImageReader2, only the properties FileName, FileNames, DataSpacing, DataOrigin,
+ *   MemoryBuffer and MemoryBufferLength have an effect.
  * - vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
  *   calls.
  *
  * @par Errors
- * - A file that is missing, truncated, damaged, larger than MaximumMemory or no EXR file causes one
- *   error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
+ * - A file that is missing, truncated, damaged or no EXR file, or needs more than MaximumMemory,
+ *   causes one error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
  * - Sizes in a header are validated against the file size before memory is allocated.
  */
 
@@ -148,7 +149,7 @@ public:
   ///@{
   /**
    * Select channels to read by name; at first all are selected. A channel may be selected before
-   * the file is read. Arrays consist of the selected channels of their layers. To select a few
+   * the file is read. The selected channels form arrays by the table above. To select a few
    * channels, call DisableAllChannels() before EnableChannel().
    */
   void EnableChannel(const char* name);

@@ -109,8 +109,9 @@ void vtkActiveEXRWriter::AssignPixelType(const char* array, int type)
 {
   if (!array || type < UINT || type > FLOAT)
   {
-    vtkErrorMacro("AssignPixelType needs an array's name and UINT (0), HALF (1) or FLOAT (2), not "
-      << type << ".");
+    vtkErrorMacro("AssignPixelType was called with the array "
+      << (array ? array : "null") << " and the type " << type
+      << "; it needs an array's name and a type, UINT (0), HALF (1) or FLOAT (2).");
     return;
   }
   this->Chosen->Choices.Types[array] = static_cast<activesurface::EXRPixel>(type);

@@ -27,11 +27,12 @@
  * - float and double arrays become FLOAT, integers UINT, integer colors HALF from 0 to 1.
  *   AssignPixelType chooses another type for an array.
  * - A value that does not fit (a number below 0 in UINT, 1e9 in HALF) is an error that reports the
- *   value. NaN and infinity are accepted.
+ *   value. HALF and FLOAT accept NaN and infinity.
  * - Colors in EXR files are linear. The colors of a render window are encoded for a display: set
  *   ColorEncoding to SRGB for them.
- * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture. For float and
- *   unsigned int arrays, vtkActiveEXRReader returns the same bytes.
+ * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
+ *   vtkActiveEXRReader returns the same bytes for float and unsigned int arrays, except where
+ *   AssignPixelType, ColorEncoding or DWAA changes values.
  *
  * @par Series
  * - FileName may contain a run of #, or \%d or \%04d, which FrameNumber replaces. FilePrefix and
@@ -85,10 +86,10 @@ public:
 
   ///@{
   /**
-   * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time,
-   * supported by every reader. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets,
-   * best for noise. DWAA (4): small, with loss; an error if a channel is no color. Colors are R, G,
-   * B and A, also of layers, and Y. Default: ZIP.
+   * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time, widely
+   * supported. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets, best for noise.
+   * DWAA (4): small, with loss; an error if a channel is no color. Colors are Y, and R, G, B and A,
+   * also of layers. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -116,8 +117,8 @@ public:
   ///@{
   /**
    * Encoding of the input's colors (arrays RGB and RGBA, and unsigned char or unsigned short arrays
-   * of 3 or 4 components). LINEAR (0): linear light, written unchanged. SRGB (1): encoded for a
-   * display; all components but alpha are decoded to linear light. Default: LINEAR.
+   * of 3 or 4 components). LINEAR (0): linear light, not decoded. SRGB (1): encoded for a display;
+   * all components but alpha are decoded to linear light. Default: LINEAR.
    */
   vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
   vtkGetMacro(ColorEncoding, int);
@@ -212,8 +213,8 @@ public:
   ///@{
   /**
    * Assigns a type to the channels of an array: UINT (0), HALF (1) or FLOAT (2), instead of the
-   * type that follows from the array's type. HALF has 11 bits, enough for colors and normals; depth
-   * and positions need FLOAT.
+   * type that follows from the array's type. HALF has a precision of 11 bits, enough for colors and
+   * normals; depth and positions need FLOAT.
    */
   void AssignPixelType(const char* array, int type);
   void ClearPixelTypes();

@@ -117,7 +117,8 @@ int vtkActiveVDBReader::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// Reads the files again if the reader has changed.
+// Opens the file of the requested time. If the reader was modified, first reads the times of all
+// files.
 void vtkActiveVDBReader::OpenFile(vtkInformation* output)
 {
   Internals& own = *this->Internal;

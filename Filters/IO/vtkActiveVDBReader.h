@@ -20,9 +20,9 @@
  * @par Reading
  * - Only the chosen grids are read. If Region is a box and the file has the sizes of its leaves,
  *   only leaves that meet the box are read.
- * - Several files are a series of time steps. The times are the metadata "time" of the files, or 0,
- *   1, 2... if a file has no time or the times do not increase. A request for a time between two
- *   steps returns the earlier step.
+ * - Several files are a series of time steps. The times are the metadata "time" of the files or of
+ *   their first grids, or 0, 1, 2... if a file has no time or the times do not increase. A request
+ *   for a time between two steps returns the earlier step.
  *
  * @par Errors
  * - A file is validated down to its last leaf before it is read. A damaged file is an error with an
@@ -131,7 +131,7 @@ public:
 
   ///@{
   /**
-   * Memory limit: a dense image, or points, with more points than this number are an error.
+   * Memory limit: a dense image, or a points grid, with more points than this number is an error.
    * Range: >= 1. Default: 200000000.
    */
   vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 1, VTK_ID_MAX);
@@ -144,8 +144,9 @@ public:
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
    * vec3s, vec3d, vec3i, points), or the tree's type if the value type is unknown. Half floats have
    * the type "float", and GetGridIsHalfFloat() is true. The class is "level set", "fog volume",
-   * "staggered vector field" or "unknown". GetGridBox() returns the box of the active voxels in
-   * index coordinates. An index out of range returns an empty text, 0, false or an empty box.
+   * "staggered vector field" or "unknown". GetGridIsInstance() is true if the grid shares the tree
+   * of another grid. GetGridBox() returns the box of the active voxels in index coordinates. An
+   * index out of range returns an empty text, 0, false or an empty box.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();

@@ -60,8 +60,8 @@ struct Source
     this->Pipeline = SDDP::SafeDownCast(producer->GetExecutive());
     if (!this->Pipeline || !this->Pipeline->UpdateInformation())
     {
-      throw std::runtime_error(
-        "The input failed before its update, so no file is written; see the error of the input.");
+      throw std::runtime_error("The input failed in RequestInformation, so no file is written; see "
+                               "the error of the input.");
     }
     this->Information = this->Pipeline->GetOutputInformation(port);
     if (this->Information->Has(SDDP::TIME_STEPS()))
@@ -139,7 +139,7 @@ bool IsFirstRank(vtkMultiProcessController* controller)
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-// Collective. Runs a task on each rank. Throws on all ranks if the task has failed on one rank.
+// Collective. Runs a task on each rank. Throws on all ranks if the task has failed on any rank.
 // Every rank has to call this function the same number of times.
 template <class Task>
 void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
@@ -253,7 +253,7 @@ int vtkActiveVDBWriter::Write()
   catch (const std::bad_alloc&)
   {
     return fail(vtkErrorCode::UserError,
-      "There is not enough memory for the grids of the file; enlarge VoxelSize, or write fewer "
+      "There is not enough memory for the grids of the file; use larger voxels, or write fewer "
       "grids.");
   }
   catch (const std::exception& error)

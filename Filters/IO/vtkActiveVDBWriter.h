@@ -1,11 +1,11 @@
 /**
  * @class   vtkActiveVDBWriter
- * @brief   writes an active surface, a closed mesh or an image as narrow-band .vdb files
+ * @brief   writes an active surface, a closed mesh or an image as .vdb files
  *
  * @par Input
  * - Output port 0 or 1 of a vtkActiveImplicitSurface. The surface's own grid is written, without a
  *   dense image.
- * - Any closed vtkPolyData: each edge belongs to an even number of polygons; its points have to
+ * - Any closed vtkPolyData: each edge belongs to an even number of polygons; the points have to
  *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
  * - Any vtkImageData.
  *
@@ -17,7 +17,8 @@
  *
  * @par Grids of an image
  * - A grid for the active scalars, else for the first point array. The grid has the array's name,
- *   or "density" for an array without a name. Values that are not 0 are active; see GridClass.
+ *   or "density" for an array without a name. Active values are those that are not 0 or, in a level
+ *   set, those within 3 voxels; see GridClass.
  *
  * @par Metadata of the file and of all grids
  * - creator, time [pipeline time], frame (number of the time step), units, and motion_X for each
@@ -50,8 +51,8 @@ public:
   ///@{
   /**
    * Name of the file or series. The number of the time step replaces the last run of #, with at
-   * least as many digits. If there is no #, WriteAllTimeSteps puts a number of four digits before
-   * the extension, name.0007.vdb. Default: none, which is an error.
+   * least as many digits, else %d or %04d. Without these, WriteAllTimeSteps puts a number of four
+   * digits before the extension, name.0007.vdb. Default: none, which is an error.
    */
   void SetFileName(const char* name);
   const char* GetFileName() const { return this->FileName.c_str(); }
@@ -89,7 +90,7 @@ public:
   ///@{
   /**
    * Adds the grid "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels.
-   * For surfaces only. Default: off.
+   * For surfaces and meshes only. Default: off.
    */
   vtkSetMacro(WriteDensity, vtkTypeBool);
   vtkGetMacro(WriteDensity, vtkTypeBool);
@@ -111,8 +112,9 @@ public:
   /**
    * Adds a grid, named after the array, for each point array of one or three components. Grids of a
    * surface have values near the skin: floating-point numbers are interpolated at the skin's
-   * nearest point; integers are those of the nearest triangle's nearest corner. Grids of an image
-   * have all values. Arrays of another number of components are an error. Default: off.
+   * nearest point; integers are those of the corner with the largest weight in this interpolation.
+   * Grids of an image have all values. Arrays of another number of components are an error.
+   * Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);
@@ -150,7 +152,8 @@ public:
 
   ///@{
   /**
-   * Writes numbers, except those of the state, as half floats of three digits. Default: off.
+   * Writes floating-point numbers, except those of the state, as half floats of three digits.
+   * Default: off.
    */
   vtkSetMacro(HalfFloat, vtkTypeBool);
   vtkGetMacro(HalfFloat, vtkTypeBool);
@@ -200,7 +203,7 @@ public:
 
   /**
    * Updates the input and writes the files. Returns 0, with an error and ErrorCode, after a failure
-   * or if AbortExecute was set. Files of earlier time steps are kept.
+   * or if AbortExecute was set between two time steps. Files of earlier time steps are kept.
    */
   int Write();
 

@@ -5,11 +5,11 @@
 Elements of a template:
 
 - <Own name="X" />: property X of the proxy's class: command, type, default, choices, range and
-  documentation follow from the table. It may stand in a PropertyGroup. Attributes: advanced="1"
-  (shown by the gear), if="Y=1" or if="Y!=0" (shown for this value of Y), if_input or unless_input
-  (shown for this type of the input), choices (their labels). Other attributes and elements are
-  copied, and replace those of the table.
-- <InUse name="X" />: the value of XInUse, advanced and only read; the text of X refers to it.
+  documentation follow from the table. An Own may stand in a PropertyGroup. Attributes:
+  advanced="1" (shown by the gear), if="Y=1" or if="Y!=0" (shown for this value of Y), if_input or
+  unless_input (shown for this type of the input), choices (their labels). Other attributes and
+  elements are copied, and replace those of the table.
+- <InUse name="X" />: the value of XInUse, advanced and read-only; the text of X refers to XInUse.
 - <Array name="X" number="N" />: point array that SetInputArrayToProcess(N, ...) chooses, with
   input, domain and kind ("Scalars" or "Vectors").
 """

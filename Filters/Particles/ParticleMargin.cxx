@@ -12,7 +12,7 @@ int FindMarginOfNodes(const NodeParticleOptions& options, double longestReach)
 {
   // Margins around nodes and leaves [voxels], and of full cells [own radii].
   constexpr double nodesAround = 5.0, leafAround = 12.0, cellsBeside = 4.0;
-  // The centre of an ellipsoid is displaced by less than its neighbourhood's radius.
+  // The centre of an ellipsoid is nearer to its particle than the radius of the neighbourhood.
   const double wide = GetNeighbourhoodPerRadius(options.Model) * longestReach;
   const double ellipsoid =
     longestReach * std::max(std::cbrt(options.Anisotropy * options.Anisotropy), 1.0) + wide;

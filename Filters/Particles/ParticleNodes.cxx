@@ -19,7 +19,7 @@ constexpr double ReachOfMotion = 4.5;
 constexpr double BeyondOwnRadius = 0.1;
 // Least half width of the shell around the skin [voxels]. See FindShellRadius.
 constexpr double Band = 3.0;
-// A longer displacement counts as none [voxels].
+// A longer displacement counts as unknown [voxels].
 constexpr double LongestDisplacement = 1e6;
 
 void CheckPlace(double place)
@@ -220,7 +220,8 @@ bool ParticleNodes::IsInside(const NodeIndex& node) const
     { this->Blocks.CellOf(node[0]), this->Blocks.CellOf(node[1]), this->Blocks.CellOf(node[2]) });
 }
 
-// Lists the leaves that overlap a block with a part of the shell.
+// Lists the leaves that overlap a block with a part of the shell or, with wantsInside, with full
+// cells.
 void ParticleNodes::ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const
 {
   IndexMap found;

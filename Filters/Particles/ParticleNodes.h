@@ -1,11 +1,12 @@
 // Particles as a target at the nodes of a lattice: see NodeTarget.h in LevelSet.
 //
-// The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. The skin
-// of a body is near the ends of the kernels' supports, where S grows with the fifth power of the
-// depth below these ends. At the skin of an isolated particle, S grows with the third power. The
-// fourth root is nearly linear in both cases.
+// The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. Here d is
+// the distance from the centre of an ellipsoid, divided by that to its surface. The skin of a body
+// is near the ends of the kernels' supports, where S grows with the fifth power of the depth below
+// these ends. At the skin of an isolated particle, S grows with the third power. The fourth root is
+// nearly linear in both cases.
 //
-// Lengths are in voxels. Positions are relative to their block or leaf, so that single precision
+// The columns are in voxels, with positions relative to a block or leaf, so that single precision
 // suffices anywhere.
 
 #ifndef ParticleNodes_h
@@ -32,7 +33,7 @@ class NodeParticles
 public:
   virtual std::size_t Size() const = 0;
   virtual SkeletonVertex Get(std::size_t n) const = 0;
-  // Finds the velocity x y z [length / motion time]. Returns false if unknown.
+  // Finds the velocity x y z [length / (pipeline time * TimeScale)]. Returns false if unknown.
   virtual bool FindVelocity(std::size_t n, double (&velocity)[3]) const = 0;
 
 protected:

@@ -57,8 +57,8 @@ void ParticlePotential::Build(
   if (!(farthest < Farthest * this->Unit))
   {
     throw std::invalid_argument(
-      "A point is more than 10^9 of its own radii from the origin, which single precision cannot "
-      "resolve; move the points, or check ParticleSpacing and the radii.");
+      "A point is farther from the origin than 10^9 times the smallest particle radius, too far "
+      "for the lattice; move the points, or check ParticleSpacing and the radii.");
   }
   options.VoxelSize = this->Unit;
   options.WantsBulks = true;
@@ -98,7 +98,8 @@ public:
   }
 
 private:
-  // Returns false if the point is not finite or beyond all particles, after writing its value.
+  // Returns false, after writing the value, if the point is not finite or farther away than all
+  // particles, or if there are no particles.
   bool FindPart(std::size_t i, NodeIndex& part) const
   {
     const double* x = this->Points + 3 * i;

@@ -1,7 +1,7 @@
 // Potential of particles at any point: F = (1 - S) / 2, negative inside. S is the sum of strength
-// (1 - d^2)^3 over the ellipsoids that the node scheme fits to the particles (Nodes/NodeFits.h).
-// Functions and explicit substeps use this potential. The node scheme uses ParticleNodes.h, which
-// evaluates S at nodes.
+// (1 - d^2)^3 over the ellipsoids that the node scheme fits to the particles (Nodes/NodeFits.h); d
+// as in ParticleNodes.h. Functions and explicit substeps use this potential. The node scheme uses
+// ParticleNodes.h, which evaluates S at nodes.
 //
 // F and its gradient are bitwise identical for any batch, thread and instruction set.
 
@@ -22,8 +22,8 @@ class VTKACTIVEPARTICLES_EXPORT ParticlePotential
 public:
   // Call before the first evaluation. Uses the options' model, radii and anisotropy. Particles with
   // a strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws like
-  // ParticleNodes, and std::invalid_argument for particles more than 10^9 own radii from the
-  // origin.
+  // ParticleNodes, and std::invalid_argument for particles farther from the origin than 10^9 times
+  // the smallest own radius.
   void Build(const std::vector<SkeletonVertex>& particles, NodeParticleOptions options);
 
   // Evaluates at points (x y z each); gradients may be null. Returns NaN at a point that is not

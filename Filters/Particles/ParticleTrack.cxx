@@ -103,9 +103,9 @@ void ParticleTrack::CheckBox(double margin) const
     {
       std::ostringstream text;
       text << "PeriodicBounds is " << length << " long along "
-           << "xyz"[axis] << ", too short for particles whose effect reaches a distance of "
-           << margin
-           << "; enlarge PeriodicBounds, or reduce the radii, KernelRadius or ParticleSpacing.";
+           << "xyz"[axis] << ", less than a quarter of " << margin
+           << ", the distance at which particles affect the surface; enlarge PeriodicBounds, or "
+              "reduce the radii, KernelRadius or ParticleSpacing.";
       throw std::invalid_argument(text.str());
     }
   }

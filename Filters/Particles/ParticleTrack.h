@@ -18,10 +18,10 @@ namespace activesurface
 {
 
 // Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
-// 0, or without a later step, these are the particles of the earlier step. Otherwise these are the
-// particles of the earlier step, then the particles that only the later step has, in the order of
-// each step. Particles whose strength has faded to zero are omitted. In a periodic box each
-// particle is replaced by its copies in the box and the margin.
+// 0, or without a later step: the particles of the earlier step. Otherwise: the particles of the
+// earlier step, then the particles that only the later step has, in the order of each step.
+// Particles whose strength has faded to zero are omitted. In a periodic box each particle is
+// replaced by its copies in the box and the margin.
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
@@ -45,8 +45,8 @@ public:
   void List(std::vector<SkeletonVertex>& particles) const;
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 
-  // Sets the duration from step to step for FindVelocity [motion time]. At 0, FindVelocity returns
-  // false.
+  // Sets the duration from step to step for FindVelocity [pipeline time * TimeScale]. At 0,
+  // FindVelocity returns false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
   // Returns x y z for each particle, NaN where unknown: the velocities of the frames if available,

@@ -35,7 +35,7 @@ namespace activesurface
 namespace
 {
 
-// Finds the fraction of a surface that belongs to sheets, rods and crumbs thinner than a length.
+// Finds the fraction of a surface that belongs to sheets, rods and balls thinner than a length.
 //
 // The body is thin at a surface point if, within that length, the function is positive at two
 // points of the normal's line, one on either side. One of the two points is outside near the

@@ -12,7 +12,7 @@
  *   the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
  * - Level set: the voxels of a sparse level set that a vtkImageData carries in place of arrays
  *   (vtkActiveVDBReader with OutputDense off). F is that of an image of these voxels. Beyond the
- *   band F is the level set's background, + or - a constant, with gradient 0.
+ *   band all voxels have the background value, + or -, so F is constant there, with gradient 0.
  * - Mesh: the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice
  *   through the origin with voxels of VoxelSize, within Reach of the mesh. Beyond, F is +-Reach
  *   with gradient 0. A closed mesh bounds a solid, whichever way its polygons are turned.
@@ -22,13 +22,14 @@
  * @par Meshes with defects
  * - Points of equal coordinates are merged.
  * - GetDefects() reports edges of only one polygon (the mesh is open), edges of more than two
- *   polygons, and omitted polygons. A polygon is omitted if a point is not finite or does not
- *   exist, or if fewer than three points differ. A warning is issued once when the mesh is read.
+ *   polygons, and omitted polygons. A polygon is omitted if a point is not finite (or above 1e100)
+ *   or does not exist, or if fewer than three points differ. A warning is issued once when the mesh
+ *   is read.
  * - A mesh is closed if each edge belongs to an even number of polygons: closed bodies may touch
  *   along an edge.
  * - A mesh that is not closed becomes a shell if MeshThickness > 0: F is the unsigned distance -
  *   MeshThickness / 2. Otherwise the mesh is treated as a solid: points whose generalized winding
- *   number exceeds 1/2 are inside. A cap from rim to rim then closes each hole.
+ *   number exceeds 1/2 in magnitude are inside. A cap from rim to rim then closes each hole.
  * - Treated as a solid, a sheet has no inside. The inside is undefined if neighbouring polygons are
  *   turned to different sides.
  *
@@ -38,7 +39,7 @@
  * - Unusable inputs: other classes of data, flat images (of one pixel along an axis), arrays that
  *   are missing or have several components, axes that are not orthogonal, meshes without polygons,
  *   and lattices that are too large.
- * - F and its gradient are NaN if x is not finite.
+ * - With usable input, F and its gradient are NaN if x is not finite.
  *
  * @par Threads
  * - Several threads may evaluate at once, as long as none modifies the function or its input.
@@ -74,8 +75,8 @@ public:
   ///@{
   /**
    * A vtkImageData, or a vtkPolyData with polygons or strips. The input is read at the first
-   * evaluation after a change (of its MTime). The pixels of an image are not copied. Default: none,
-   * F is 1 everywhere.
+   * evaluation after a change of the MTime. The pixels of an image are not copied. Default: none, F
+   * is 1 everywhere.
    */
   void SetInput(vtkDataSet* input);
   vtkDataSet* GetInput();
@@ -161,7 +162,8 @@ public:
 
   /**
    * Box outside which F is not negative [length]: that of the image, of the mesh or its shell, or
-   * of the samples. Returns false, with uninitialized bounds, if there is none. Reads the input.
+   * of the active voxels of a level set (if the background is outside). Returns false, with
+   * uninitialized bounds, if there is none. Reads the input.
    */
   bool GetGridBounds(double bounds[6]);
 

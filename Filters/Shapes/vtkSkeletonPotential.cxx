@@ -135,7 +135,8 @@ void vtkSkeletonPotential::ReadElements()
     if (!std::isfinite(this->Threshold) || this->Threshold <= 0.0)
     {
       throw std::invalid_argument(
-        "Threshold has to be a finite number > 0; at 0 or below, the inside has no limit.");
+        "Threshold has to be a finite number > 0, so that the function is positive away from all "
+        "elements.");
     }
     own.Input.Update();
     const vtkSmartPointer<vtkDataSet> data = activesurface::AsDataSet(own.Input.GetData());
@@ -169,7 +170,8 @@ void vtkSkeletonPotential::ReadElements()
   {
     vtkWarningMacro(<< own.IgnoredElements
                     << " points or segments are ignored: a coordinate, a radius or a strength "
-                       "is not finite, a radius is not positive, or a point does not exist.");
+                       "is not finite, a radius is not positive, a number is too large or too "
+                       "small, or a point does not exist. Correct or remove these elements.");
   }
 }
 

@@ -163,8 +163,8 @@ public:
   ///@{
   /**
    * Sum of influences [1] on the surface F = 0, and the value of F away from all elements. Lower
-   * values give thicker bodies. Range: > 0; else all space would be inside, which is an error.
-   * Default: 0.5.
+   * values give thicker bodies. Range: > 0; else F would not be positive away from all elements,
+   * which is an error. Default: 0.5.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -247,9 +247,9 @@ public:
 
   /**
    * Replace the input, which is released, by points, such as moving particles. positions: x y z
-   * each. radii, strengths: null for Radius and 1. The data are copied. SetElements and the next
-   * Build() allocate no memory if an earlier call had as many points. Unusable points are ignored
-   * without a warning.
+   * each. radii, strengths: null for Radius and 1. The data are copied. With SUM, SetElements and
+   * the next Build() allocate no memory if an earlier call had as many points. Unusable points are
+   * ignored without a warning.
    */
   VTK_WRAPEXCLUDE void SetElements(
     vtkIdType count, const double* positions, const double* radii, const double* strengths);

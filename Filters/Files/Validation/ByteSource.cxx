@@ -45,7 +45,7 @@ void ByteSource::Seek(std::uint64_t position)
 {
   if (position > this->Size)
   {
-    throw std::runtime_error("it ends too early, or is damaged");
+    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
   }
   this->Position = position;
 }
@@ -54,7 +54,7 @@ void ByteSource::Skip(std::uint64_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged");
+    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
   }
   this->Position += count;
 }
@@ -63,7 +63,7 @@ void ByteSource::Read(void* bytes, std::size_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged");
+    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
   }
   auto to = static_cast<char*>(bytes);
   while (count > 0)
@@ -92,7 +92,7 @@ std::string ByteSource::ReadBytes(std::uint64_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged");
+    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
   }
   std::string bytes(count, '\0');
   this->Read(&bytes[0], bytes.size());

@@ -16,7 +16,7 @@ namespace activesurface
 /** Throws std::runtime_error with a sentence about the damage. */
 [[noreturn]] void RefuseDamage(const std::string& what);
 
-/** All methods throw std::runtime_error for bytes beyond the end. */
+/** Methods that read or move throw std::runtime_error beyond the end of the file. */
 class ByteSource
 {
 public:

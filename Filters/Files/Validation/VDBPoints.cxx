@@ -169,7 +169,8 @@ Types PointsValidator::ReadDescriptor()
     type.second = this->Source.ReadText();
     if (!AttributeArray::isRegistered(type))
     {
-      throw std::runtime_error("its points have an attribute of the unknown type " + type.first);
+      throw std::runtime_error("its points have an attribute of the unknown type " + type.first +
+        "; write the file without this attribute");
     }
     groups += type == openvdb::points::GroupAttributeArray::attributeType() ? 1 : 0;
   }

@@ -1,6 +1,6 @@
 /**
- * Validates the topology of a .vdb tree without building it. Every size field is checked against
- * the file, because OpenVDB's reader trusts these fields. Collects the active bounding box.
+ * Validates the topology of a .vdb tree without building the tree. Every size field is checked
+ * against the file, because OpenVDB's reader trusts these fields. Collects the active bounding box.
  */
 #ifndef VDBTree_h
 #define VDBTree_h
@@ -32,7 +32,7 @@ struct VDBFormat
   std::uint32_t Compression = 0; //< OpenVDB's flags
 };
 
-/** Bytes to skip to pass a leaf. */
+/** Compression scheme and bytes of a leaf's values, as in OpenVDB's table for delayed loading. */
 struct VDBLeafSize
 {
   std::int8_t Scheme = 0;
@@ -63,8 +63,8 @@ void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree)
 
 /**
  * Skips a Blosc buffer of `stored` bytes. Throws std::runtime_error unless the header of the buffer
- * declares `unpacked` bytes. If `unpacked` is less than 128, the header may declare 128 bytes,
- * because OpenVDB pads short data.
+ * declares `stored` and `unpacked` bytes. If `unpacked` is less than 128, the header may declare
+ * 128 bytes, because OpenVDB pads short data.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 

@@ -184,7 +184,8 @@ void AddTimeCode(Imf::Header& header, const std::string& text)
     !within(minutes, 59) || !within(seconds, 59) || !within(frame, 59))
   {
     throw FileError(vtkErrorCode::UserError,
-      "TimeCode \"" + text + "\" is not hours:minutes:seconds:frame, as in 01:00:00:12");
+      "TimeCode \"" + text +
+        "\" is not hours:minutes:seconds:frame, as in 01:00:00:12, up to 23:59:59:59");
   }
   Imf::addTimeCode(header, Imf::TimeCode(hours, minutes, seconds, frame));
 }

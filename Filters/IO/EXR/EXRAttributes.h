@@ -12,12 +12,13 @@ class vtkFieldData;
 namespace activesurface
 {
 
-// Adds an array for each attribute whose value is a number, a text, or a few numbers or texts. The
+// Adds an array for each attribute of a supported type: a number, a text, or a few of these. The
 // array has the attribute's name. Matrices are stored row by row, transposed for VTK's column
-// vectors. Time codes and enumerations become texts.
+// vectors. Time codes and the compression become texts.
 void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 
-// Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form.
+// Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form or a number is
+// out of range.
 void AddTimeCode(Imf::Header& header, const std::string& text);
 
 }

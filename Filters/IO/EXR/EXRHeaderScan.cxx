@@ -48,7 +48,7 @@ std::string ReadName(EXRInput& input)
     name += byte;
     if (name.size() > longest)
     {
-      Refuse("a name in its header has no end");
+      Refuse("a name in its header has no end; copy or write it again");
     }
   }
   return name;
@@ -64,7 +64,7 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   const std::uint64_t end = input.tellg() + size;
   if (end > input.GetSize() || size > std::numeric_limits<int>::max())
   {
-    Refuse("attribute " + name + " of its header is larger than the file");
+    Refuse("attribute " + name + " of its header is larger than the file; copy or write it again");
   }
   const std::unique_ptr<Imf::Attribute> attribute(Imf::Attribute::knownType(type.c_str())
       ? Imf::Attribute::newAttribute(type.c_str())
@@ -72,7 +72,8 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   attribute->readValueFrom(input, static_cast<int>(size), version);
   if (input.tellg() != end)
   {
-    Refuse("attribute " + name + " of its header does not have the length that it declares");
+    Refuse("attribute " + name +
+      " of its header does not have the length that it declares; copy or write it again");
   }
   header.insert(name, *attribute);
 }
@@ -121,7 +122,8 @@ void CheckWindow(const Imath::Box2i& window)
   {
     if (x < -farthest || x > farthest)
     {
-      Refuse("a window of its header reaches to pixel " + std::to_string(x) + ", beyond 2^29");
+      Refuse("a window of its header reaches to pixel " + std::to_string(x) +
+        ", beyond 2^29; copy or write it again");
     }
   }
 }
@@ -161,7 +163,7 @@ void CheckSize(const Imf::Header& header, bool tiled, double fileSize)
   {
     Refuse("its header claims an image of " + std::to_string(static_cast<long long>(width)) +
       " x " + std::to_string(static_cast<long long>(height)) + " pixels, which no file of " +
-      std::to_string(static_cast<long long>(fileSize)) + " bytes can hold");
+      std::to_string(static_cast<long long>(fileSize)) + " bytes can hold; copy or write it again");
   }
 }
 
@@ -195,7 +197,7 @@ void CheckEXRHeaders(EXRInput& input)
   const int version = static_cast<int>(ReadNumber(input));
   if (Imf::getVersion(version) != Imf::EXR_VERSION)
   {
-    Refuse("its version of the EXR format is not supported; only version 2 is");
+    Refuse("its version of the EXR format is not 2, the only supported version; convert the file");
   }
   while (ReadHeader(input, version) && Imf::isMultiPart(version))
   {

@@ -15,8 +15,8 @@ namespace activesurface
 // if an attribute does not have its stated size, or a file of this size cannot contain the image.
 void CheckEXRHeaders(EXRInput& input);
 
-// Returns the size [bytes] of the lines, or of the tile, that OpenEXR packs at a time. A subsampled
-// channel counts as if it had all samples.
+// Returns the unpacked size [bytes] of the lines, or of the tile, that OpenEXR packs at a time. A
+// subsampled channel counts as if it had all samples.
 double CountBytesOfChunk(const Imf::Header& header);
 
 }

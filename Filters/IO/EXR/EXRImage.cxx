@@ -167,7 +167,7 @@ void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection
 namespace
 {
 
-// Calls an action that reads and converts exceptions of OpenEXR to FileError.
+// Calls an action that reads. Converts exceptions of OpenEXR to FileError.
 template <class Action>
 void Guard(const EXRInput& input, const Action& action)
 {
@@ -183,7 +183,8 @@ void Guard(const EXRInput& input, const Action& action)
   {
     if (input.HasEndedEarly())
     {
-      throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+      throw FileError(
+        vtkErrorCode::PrematureEndOfFileError, "it ends too early; copy or write it again");
     }
     throw FileError(vtkErrorCode::FileFormatError,
       std::string("it is damaged (OpenEXR: ") + error.what() + "); copy or write it again");

@@ -49,8 +49,8 @@ public:
   const std::vector<EXRPart>& GetParts() const { return this->Parts; }
   const Imf::Header& GetHeader(std::size_t part) const;
 
-  // Reads channels into images that cover the extent. The extent contains the part's data window.
-  // Pixels outside the data window keep their values.
+  // Reads channels into images that cover the extent. The extent has to contain the part's data
+  // window. Pixels outside the data window keep their values.
   void Read(std::size_t part, const EXRExtent& extent, const std::vector<EXRDestination>& channels);
 
 private:

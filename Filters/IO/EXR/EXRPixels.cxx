@@ -27,7 +27,8 @@ double DecodeSRGB(double value)
 }
 
 // Converts a value to the sample's type. Returns false if the value is out of range, a fraction for
-// UINT, or an integer that FLOAT cannot represent. FLOAT and HALF round fractions.
+// UINT, or an integer that FLOAT cannot represent. FLOAT and HALF round fractions; HALF rounds
+// integers, too.
 template <class Value>
 bool Convert(Value value, float& sample)
 {

@@ -49,7 +49,8 @@ bool EXRInput::read(char bytes[], int count)
   if (count < 0 || static_cast<std::uint64_t>(count) > this->Size - this->Position)
   {
     this->EndedEarly = true;
-    throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+    throw FileError(
+      vtkErrorCode::PrematureEndOfFileError, "it ends too early; copy or write it again");
   }
   if (this->Memory)
   {
@@ -68,7 +69,8 @@ void EXRInput::seekg(std::uint64_t position)
   if (position > this->Size)
   {
     this->EndedEarly = true;
-    throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+    throw FileError(
+      vtkErrorCode::PrematureEndOfFileError, "it ends too early; copy or write it again");
   }
   if (!this->Memory)
   {

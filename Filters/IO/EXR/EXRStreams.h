@@ -1,5 +1,5 @@
-// Streams for OpenEXR with a known size, which report every error. OpenEXR's own output stream
-// ignores errors of the last bytes, which are written when the stream closes.
+// Streams for OpenEXR that report every error; the size of an input is known. OpenEXR's own output
+// stream ignores errors of the last bytes, which are written when the stream closes.
 
 #ifndef EXRStreams_h
 #define EXRStreams_h

@@ -182,7 +182,7 @@ void WritePixels(
   {
     throw FileError(vtkErrorCode::UserError,
       "the image is too wide: a block of rows (16 with ZIP, 32 with PIZ and DWAA) has more than "
-      "2 GiB. Use ZIP, or write parts of the image or fewer channels.");
+      "2 GiB. Use ZIPS, or write parts of the image or fewer channels.");
   }
   const PackingThreads threads;
   Imf::OutputFile file(output, header);
@@ -247,8 +247,8 @@ bool IsInteger(const vtkDataArray* array)
   return type != VTK_FLOAT && type != VTK_DOUBLE;
 }
 
-// Returns true for colors: arrays named RGB or RGBA, and integers of 8 or 16 bits with 3 or 4
-// components.
+// Returns true for colors: arrays of 3 or 4 components that are named RGB or RGBA, or consist of
+// unsigned integers of 8 or 16 bits.
 bool IsColor(vtkDataArray* array, const std::string& name)
 {
   const int components = array->GetNumberOfComponents(), type = array->GetDataType();
@@ -318,7 +318,8 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
     {
       Refuse("Channel " + request.Channel + " asks for component " +
         std::to_string(request.Component) + " of point array \"" + request.Array +
-        "\", but the input has no such array or component; correct AddChannel.");
+        "\", but the input has no numeric array of this name, or no such component; correct "
+        "AddChannel.");
     }
     sources.push_back(MakeSource(array, request.Component, request.Channel, choices));
   }

@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-// Returns NaN without a time, or if the time is not a number.
+// Returns NaN if there is no "time" of type double or float.
 double GetTime(const openvdb::MetaMap& metadata)
 {
   if (const auto number = metadata.getMetadata<openvdb::DoubleMetadata>("time"))

@@ -12,11 +12,12 @@
 namespace activesurface
 {
 
-// "level set", "fog volume", ...; "unknown" if the file has no class.
+// "level set", "fog volume", ...; "unknown" if the grid has no class.
 const char* GetGridClass(const VDBGrid* grid);
 
-// Returns the time of each file: the attribute "time" of the file or of its first grid; NaN without
-// this attribute. Throws std::exception if `files` is empty or a file cannot be read.
+// Returns the time of each file: the metadata "time" of the file, else of the first grid; NaN if
+// neither is a floating-point number. Throws std::exception if `files` is empty or a file cannot be
+// read.
 std::vector<double> ReadTimes(const std::vector<std::string>& files);
 
 // First and last active voxel on each axis; 0, -1 if no voxel is active.

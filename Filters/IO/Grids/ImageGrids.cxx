@@ -99,8 +99,9 @@ openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
   }
   catch (const openvdb::Exception&)
   {
-    throw std::invalid_argument("The image cannot be placed in a .vdb file: a spacing is 0, or its "
-                                "voxels are smaller than about 1e-5; scale the scene up.");
+    throw std::invalid_argument(
+      "The image cannot be placed in a .vdb file: a spacing is 0 (correct "
+      "it), or voxels are below about 1e-5 (scale the scene up).");
   }
 }
 
@@ -111,8 +112,9 @@ openvdb::GridBase::Ptr MakeImageGrid(
 {
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    throw std::invalid_argument(
-      "A point array of the image does not have one value for each point; remove the array.");
+    throw std::invalid_argument(std::string("The point array \"") +
+      (array->GetName() ? array->GetName() : "") +
+      "\" of the image does not have one value for each point; remove the array.");
   }
   openvdb::GridBase::Ptr grid;
   if (kind == openvdb::GRID_LEVEL_SET)

@@ -11,9 +11,9 @@ class vtkImageData;
 namespace activesurface
 {
 
-// Returns a grid whose values other than the background are active. The background is 0, for a
-// level set 3 voxels. A level set needs one component and cubic voxels; its values are clamped to
-// +-3 voxels. Throws std::invalid_argument for unsuitable arrays.
+// Returns a grid whose active values are those other than 0 or, in a level set, those within 3
+// voxels. A level set needs one component and cubic voxels; inactive values are +-3 voxels. Throws
+// std::invalid_argument for unsuitable arrays.
 openvdb::GridBase::Ptr MakeImageGrid(
   vtkImageData* image, vtkDataArray* array, openvdb::GridClass kind);
 

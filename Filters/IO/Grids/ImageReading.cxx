@@ -229,8 +229,9 @@ std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>&
     if (!grid.IsKnown)
     {
       throw std::invalid_argument("The grid \"" + name + "\" cannot be read: " +
-        (grid.Transform ? "its type " + grid.Type + " is not supported."
-                        : "its transform is not linear."));
+        (grid.Transform ? "its type " + grid.Type + " is not supported"
+                        : "its transform is not linear") +
+        "; choose another GridName.");
     }
     grids.push_back(grid);
     const bool isPoints = std::string(grid.GetValueType()) == "points";
@@ -347,7 +348,7 @@ openvdb::CoordBBox FindVoxels(const openvdb::math::Transform& transform, const d
   if (!isFinite || bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5])
   {
     throw std::invalid_argument("WorldRegion is empty, not finite or too far from the grid; set "
-                                "finite minima below the maxima, near the grid.");
+                                "finite minima <= maxima near the grid.");
   }
   return { openvdb::Coord::floor(index.min()), openvdb::Coord::ceil(index.max()) };
 }

@@ -44,7 +44,7 @@ struct ImagePlace
   double CountPoints() const; // a double, because the count may exceed any integer type
 };
 
-// Throws std::invalid_argument for a transform that is not a rotation and scale.
+// Throws std::invalid_argument if the axes of the transform are not at right angles.
 ImagePlace MakeImagePlace(
   const openvdb::math::Transform& transform, const openvdb::CoordBBox& box, int factor);
 

@@ -49,7 +49,7 @@ void Check(const Leaf& leaf)
     if (attributes.getConst(i)->size() != CountPoints(leaf))
     {
       throw std::runtime_error("The points cannot be read: an attribute does not have one value "
-                               "for each point of a leaf.");
+                               "for each point of a leaf; copy or write the file again.");
     }
   }
 }
@@ -130,7 +130,8 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(
       if (handle->stride() != stride || !handle->hasConstantStride())
       {
         throw std::runtime_error("The points cannot be read: an attribute has different numbers of "
-                                 "values in different points.");
+                                 "values in different points; write the file without this "
+                                 "attribute.");
       }
       return [=](openvdb::Index i, vtkIdType point)
       {
@@ -200,7 +201,7 @@ void AddAttributes(const Leaves& leaves, std::int64_t count, vtkPointData* data)
     if (!maker)
     {
       throw std::runtime_error("The points' attribute \"" + name + "\" has the type " + type.first +
-        ", which no VTK array can store.");
+        ", which no VTK array can store; write the file without this attribute.");
     }
     const auto array = maker(leaves, position, count);
     array->SetName(name.c_str());

@@ -13,7 +13,7 @@ namespace activesurface
 {
 
 // Throws std::invalid_argument for a grid that is not of points. Throws std::runtime_error for more
-// points than `maximum` or a damaged grid.
+// points than `maximum`, an unsupported attribute or a damaged grid.
 void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData* data);
 
 }

@@ -51,7 +51,7 @@ public:
 
   using Reader = openvdb::tree::ValueAccessor<const openvdb::Int32Tree>;
 
-  // Replaces the nearest triangle if this one is closer.
+  // Replaces `nearest` if the triangle is closer to the node.
   void Try(std::int32_t triangle, const Vec3d& node, Nearest& nearest) const
   {
     const auto& t = this->Mesh.Triangles[triangle];
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  // Stores the nodes of a layer that belong to the band and returns them.
+  // Stores and returns the nodes of a layer that belong to the band.
   Layer Store(const Layer& layer, const std::vector<Nearest>& found)
   {
     const openvdb::FloatGrid::ConstPtr band = GetPotential(this->Band);

@@ -1,10 +1,9 @@
 // Computes exact distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
 // The potential provides only the sign, because the potential is no exact distance. The search for
-// a node starts at the nearest triangles of the neighbour nodes that are closer to the surface. The
-// search moves to closer triangles around the closest point until no triangle is closer. Each layer
-// of nodes depends only on the previous layer, so the result does not depend on the number of
-// threads.
+// a node starts at the nearest triangles of the neighbour nodes in earlier layers. The search moves
+// to closer triangles around the closest point until no triangle is closer. Each layer of nodes
+// depends only on earlier layers, so the result does not depend on the number of threads.
 //
 // OpenVDB's conversion of meshes, corrected by the walk of MeshDistance.h, would need twice the
 // time. Near medial axes the distances of that conversion would be up to half a voxel too long.

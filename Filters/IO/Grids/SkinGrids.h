@@ -18,8 +18,8 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface);
 
 // Returns a point array's values at the nodes near the surface. Floating-point numbers are
-// interpolated on the nearest triangle. Integers are those of the corner of this triangle that is
-// nearest to the node. Throws std::invalid_argument unless the array has one or three components.
+// interpolated on the nearest triangle. Integers are those of the corner with the largest weight in
+// this interpolation. Throws std::invalid_argument unless the array has one or three components.
 openvdb::GridBase::Ptr MakeArrayGrid(
   vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band);
 

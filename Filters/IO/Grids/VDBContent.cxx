@@ -35,7 +35,8 @@ void CheckIsClosed(const MeshTriangles& mesh)
   }
   if (mesh.Triangles.empty())
   {
-    throw std::invalid_argument("The input has no polygons: there is no surface to write.");
+    throw std::invalid_argument(
+      "The input has no polygons, so there is no surface to write; connect a closed mesh.");
   }
   if (!mesh.Defects.IsClosed())
   {
@@ -188,7 +189,8 @@ void Content::AddMesh(vtkPolyData* data)
   if (data->GetNumberOfPoints() == 0)
   {
     throw std::invalid_argument(
-      "The input is empty, or its last update was stopped: there is no surface to write.");
+      "There is no surface to write: the input is empty, or its last update was stopped; check the "
+      "input, and update it again.");
   }
   double voxelSize = this->Choice.VoxelSize;
   std::array<double, 3> origin;

@@ -22,7 +22,7 @@ struct VDBChoice
   bool PointArrays = false;
   bool HalfFloat = false;
   openvdb::GridClass Kind = openvdb::GRID_UNKNOWN; // of an image's scalars
-  double VoxelSize = Automatic;                    // of a mesh: its longest side / 64
+  double VoxelSize = Automatic;                    // of a mesh; automatic: longest side / 64
 };
 
 // Throws std::invalid_argument, with a message, for data that cannot become the chosen grids.

@@ -1,4 +1,4 @@
-// Packs particles of a frame into bytes for messages between ranks. Lossless.
+// Packs particles of a frame into bytes, without rounding, for messages between ranks.
 
 #ifndef ParticleBytes_h
 #define ParticleBytes_h

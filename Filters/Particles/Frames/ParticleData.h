@@ -19,8 +19,8 @@ namespace activesurface
 //   similar name, in upper or lower case. Other columns become point arrays; three columns of one
 //   vector become one array.
 // - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
-//   A point array is kept if all blocks with points have it, with the same type. If only one block
-//   has points, that block is returned unchanged.
+//   A point array is kept if all blocks with points have it, with the same type and number of
+//   components. If only one block has points, that block itself is returned.
 // Returns null for any other class and for adaptive mesh refinement (AMR). Throws
 // std::invalid_argument for a table without positions, or if one of several blocks with points does
 // not consist of particles.

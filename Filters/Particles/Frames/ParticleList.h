@@ -1,5 +1,5 @@
-// A compact list of particles. Coordinates are single precision if exact. A radius or strength
-// common to all particles is stored once.
+// A compact list of particles. Coordinates are stored in single precision if that is exact. A
+// radius or strength common to all particles is stored once.
 
 #ifndef ParticleList_h
 #define ParticleList_h

@@ -108,8 +108,8 @@ std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earli
   return displacements;
 }
 
-// Particles are shuffled if the median displacement, after subtraction of the mean, exceeds 20 % of
-// the diagonal of the particles' box (or the periodic box).
+// Particles without ids, at least 100, are shuffled if the median displacement, after subtraction
+// of the mean, exceeds 20 % of the diagonal of the particles' box (or the periodic box).
 bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
   const PeriodicBox& box)
 {

@@ -47,14 +47,15 @@ VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
 VTKACTIVEPARTICLES_EXPORT ParticleMatches InvertMatches(
   const ParticleMatches& matches, std::size_t earlier);
 
-// Displacement of a particle from step to step, and its index.
+// Displacement of a particle from step to step. Number: id, or index without ids.
 struct NumberedDisplacement
 {
   std::int64_t Number;
   double Displacement[3];
 };
 
-// Returns the displacements of matched particles: at most about 1,000, evenly selected by index.
+// Returns the displacements of matched particles whose Number is a multiple of a stride: at most
+// about 1,000 if the numbers are consecutive.
 VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);

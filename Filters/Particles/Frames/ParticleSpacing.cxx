@@ -65,7 +65,7 @@ using Distances = std::array<double, Nearest>; // ascending; HUGE_VAL if there i
 
 // Search tree of the particles. The leaves of an octree stay small even if a few particles are far
 // away. The tree uses single precision, so its coordinates are relative to Middle::At, in units of
-// Middle::HalfSize.
+// twice Middle::HalfSize.
 class Neighbourhoods
 {
 public:

@@ -57,7 +57,8 @@ void ElementIndex::Build()
   if (this->Balls.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
     throw std::length_error(
-      "The index of the skeleton needs more than 2^31 - 1 balls; use fewer elements.");
+      "The skeleton has too many points and segments: its index needs more than 2^31 - 1 balls, up "
+      "to 64 for each segment; use fewer elements.");
   }
   this->MakeLattices();
   this->FillCells();

@@ -58,8 +58,8 @@ public:
   // Bounding box of all supports: xmin xmax ymin ... Undefined without elements.
   const double* GetBounds() const { return this->Bounds; }
 
-  // Finds the cell of a point in the finest lattice. Returns false if the point is too far from the
-  // origin for cell coordinates.
+  // Finds the cell of a point in the finest lattice. Returns false without elements, or if the
+  // point is too far from the origin for cell coordinates.
   bool FindCell(const double x[3], NodeIndex& cell) const;
 
   // Calls visit(hits, count) once, with all elements that may touch the place, in ascending order.

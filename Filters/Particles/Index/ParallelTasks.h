@@ -18,7 +18,8 @@ namespace activesurface
 // Batch size if a particle needs some microseconds.
 constexpr std::size_t ParticlesPerTask = 256;
 
-// Calls task(0) to task(count - 1), each once. Rethrows an exception of a task.
+// Calls task(0) to task(count - 1), each once unless a task throws. Rethrows an exception of a
+// task.
 template <class Task>
 void RunTasks(std::size_t count, Task task)
 {

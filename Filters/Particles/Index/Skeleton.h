@@ -31,8 +31,8 @@ struct SkeletonWeight
   double Weight;
 };
 
-// Returns the distance [support radii] at which the kernel equals `level` (between 0 and 1). The
-// surface of an isolated element of strength 1 has this radius.
+// Returns the distance [support radii] at which the kernel equals `level` (between 0 and 1). With
+// the threshold `level`, the surface of an isolated element of strength 1 has this radius.
 VTKACTIVEPARTICLES_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double level);
 
 class VTKACTIVEPARTICLES_EXPORT Skeleton
@@ -49,7 +49,7 @@ public:
   // ElementIndex::Build.
   void Build() { this->Near.Build(); }
 
-  // Evaluates threshold - sum at points (x y z each), and its gradients unless `gradients` is null.
+  // Evaluates threshold - sum at points (x y z each), and the gradients unless `gradients` is null.
   // Returns NaN at a point that is not finite. Thread-safe.
   void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
     double* values, double* gradients) const;

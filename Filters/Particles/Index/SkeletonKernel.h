@@ -72,9 +72,9 @@ struct MetaballKernel
   }
 };
 
-// A position and the sums of the contributions at this position. Terms 0, 1, 2 are MINUS the
-// gradient, as the potential is negative inside. Term 3 is the value. Compilers add two terms of
-// the array at a time.
+// A position and the sums of the contributions at this position. Terms 0, 1, 2 are the gradient of
+// the potential, threshold - sum. Term 3 is the sum. Compilers add two terms of the array at a
+// time.
 struct SkeletonPlace
 {
   double X[3];

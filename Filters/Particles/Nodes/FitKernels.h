@@ -4,8 +4,8 @@
 // The fit of a particle near a surface is an ellipsoid with the shape of its neighbourhood (Yu and
 // Turk 2013); see NodeFits.h for the strength. The support radius grows with the density of the
 // neighbours, and is least for an isolated particle. The kernels of small drops therefore overlap
-// less. The ball of an isolated particle is a little larger than the particle, to compensate for
-// the volume that triangulation loses.
+// less. With HasTriangles, the ball of an isolated particle is a little larger than the particle,
+// to compensate for the volume that triangulation loses.
 
 #ifndef FitKernels_h
 #define FitKernels_h

@@ -35,8 +35,8 @@ public:
   // Returns true if this rank owns the particle of column k.
   bool IsOwn(std::uint32_t k) const { return this->Own.empty() || this->Own[k]; }
 
-  // Collective. Sends get(k) of own particles to the ranks that have particle k as a ghost, which
-  // call set(k, value). Does nothing without a domain.
+  // Collective. Sends get(k) of own particles to the ranks that have the particle as a ghost. These
+  // ranks call set(k, value) with their own k. Does nothing without a domain.
   template <class Value, class Get, class Set>
   void Share(Get&& get, Set&& set) const
   {

@@ -13,8 +13,8 @@ namespace activesurface
 namespace
 {
 
-// A mean displacement counts as motion if its square is at least this multiple of the square of its
-// standard error.
+// A mean displacement in a body is reduced to 0 if its square is at most this multiple of its
+// squared standard error, and by less if its square is larger.
 constexpr float ErrorsOfMotion = 6.f;
 // Fewer than two particles, counted by their weights, have no standard error.
 constexpr float FewParticles = .5f; // 1 / number of particles
@@ -157,7 +157,8 @@ struct PointMotion
   bool IsWeak = true; // from too few particles
 };
 
-// Points with few particles, near the ends of their kernels, get the mean of the other points.
+// Points without a known displacement, or with few particles, near the ends of their kernels, get
+// the mean of the other points. If all points have few particles, only unknown points get the mean.
 void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& motion)
 {
   const bool areAllWeak =

@@ -1,5 +1,5 @@
 // Means of displacements and bulks of particles at the points of a leaf. With hasNoise, a mean
-// displacement is reduced by its noise, estimated from the variance of the displacements.
+// displacement in a body is reduced by its noise, estimated from the variance of the displacements.
 
 #ifndef MotionMeans_h
 #define MotionMeans_h

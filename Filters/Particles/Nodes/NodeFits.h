@@ -23,9 +23,9 @@
 namespace activesurface
 {
 
-// Up to FewParticles particles may all be neighbours of each other. Larger inputs are an error if
-// the particles have more than MostNeighbours neighbours on average, a hundred times the usual
-// number: visiting all pairs would need hours. The average is over a sample.
+// Up to FewParticles particles may all be neighbours of each other. Larger inputs are refused (see
+// Find) if the particles have more than MostNeighbours neighbours on average, a hundred times the
+// usual number: visiting all pairs would need hours. The average is over a sample.
 constexpr std::size_t FewParticles = 30000;
 
 constexpr std::size_t MostNeighbours = 20000;
@@ -122,7 +122,7 @@ class NodeFits
 public:
   // Reuses allocated memory. For too many neighbours (MostNeighbours), throws std::invalid_argument
   // if options.HasEllipsoids, otherwise sets the bulks to 0. ghosts: particles whose fits other
-  // ranks find. Collective if there are any ghosts.
+  // ranks find. Collective if `ghosts` was made with a domain.
   void Find(const ParticleBlocks& blocks, const FitColumns& given, const GhostParticles& ghosts,
     const NodeFitOptions& options);
 
@@ -137,7 +137,7 @@ public:
     return { this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() };
   }
   const NodeEllipsoid* GetEllipsoids() const { return this->Ellipsoids.data(); }
-  // Largest distance from a particle to an end of its ellipsoid [voxels].
+  // Bound on the distance, along each axis, from a particle to the ends of its ellipsoid [voxels].
   double GetLongestReach() const { return this->LongestReach; }
 
   // Evaluates the sum of the ellipsoids, and its gradient, at the positions of a group, relative to

@@ -79,7 +79,7 @@ void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
 }
 
 // Finds the block of a particle, and the range of blocks that the particle's cells, enlarged by the
-// margin, may touch.
+// margin, or the ball of its shell may touch.
 ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
 {
   CubePlace found;

@@ -1,9 +1,9 @@
-// Particles sorted by cells, in blocks of 8^3 cells; and the shell, the cells that may contain
-// their surface.
+// Particles sorted by blocks of 8^3 cells; and the shell, the cells that may contain the particles'
+// surface.
 //
-// A cell is at least as wide as the smallest particle, twice its own radius. Each particle fills a
-// cube of its own size. Cells with a full neighbourhood, and cells far from any particle, contain
-// no surface. The remaining cells are the shell. The filling is an integer sum, independent of the
+// A cell is at least twice as wide as the smallest own radius. Each particle fills a cube of twice
+// its own radius. Cells with a full neighbourhood, and cells far from any particle, contain no
+// surface. The remaining cells are the shell. The filling is an integer sum, independent of the
 // order of particles.
 
 #ifndef ParticleBlocks_h

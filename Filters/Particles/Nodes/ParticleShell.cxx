@@ -16,7 +16,8 @@ namespace
 
 // Filling of a cell by a cube of its size.
 constexpr std::uint32_t FillingOfCell = 256;
-// A cell is full if the sum over 3^3 cells, weighted 1 2 1 (64 in all), is at least this.
+// A cell is full if the filling of 3^3 cells, summed with the weights 1 2 1 along each axis (64 in
+// all), is at least this.
 constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
 // Limit of a cell's filling: dense particles do not fill the neighbouring cells.

@@ -32,7 +32,8 @@ class ImageSamples : public GridSamples
 {
 public:
   // Keeps the array, which must not change during use. Throws std::invalid_argument, with a
-  // message, for a flat image, a missing array or axes that are not orthogonal.
+  // message, for an empty or flat image, an unusable array, axes that are not orthogonal, or a
+  // level that is not finite.
   ImageSamples(vtkImageData* image, const ImageLevel& level);
   ~ImageSamples() override;
 

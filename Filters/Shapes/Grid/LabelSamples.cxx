@@ -145,8 +145,8 @@ void SpreadAlong(std::size_t axis, const Box& box, std::vector<std::int32_t>& sq
     });
 }
 
-// For each marked pixel, writes its distance to the nearest unmarked pixel, minus 1/2 [pixels].
-// Exact, as squares are integers: they are spread axis by axis.
+// For each marked pixel, writes sign * (distance to the nearest unmarked pixel - 1/2) [pixels]. The
+// squared distances are exact integers, spread axis by axis.
 void WriteDistances(
   const Box& box, const std::vector<unsigned char>& marks, double sign, float* distances)
 {

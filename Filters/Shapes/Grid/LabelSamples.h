@@ -1,4 +1,4 @@
-// Distances to the surface of a label, the region of an image with one of its two values.
+// Distances to the surface of a label, the pixels of an image whose values are above a level.
 //
 // The distance at a pixel is that to the nearest pixel on the other side of the surface, minus 1/2.
 // Between pixels the distance is trilinear. The unit is a pixel, as if all pixels were cubes of

@@ -27,7 +27,8 @@ LevelSetSamples::LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const
 {
   if (this->Box.empty())
   {
-    throw std::invalid_argument("The level set is empty: it has no active voxels.");
+    throw std::invalid_argument(
+      "The level set is empty: it has no active voxels; choose another grid.");
   }
   if (!std::isfinite(level.IsoValue))
   {

@@ -18,11 +18,12 @@ struct MeshLattice
 };
 
 // Returns distances in voxels. Node (i, j, k) is at (i, j, k) * VoxelSize. The grid's own transform
-// is the identity, because OpenVDB rejects small voxels. Values beyond the band are + or - Band.
+// is the identity, because OpenVDB rejects small voxels. Values beyond the band are Band or, inside
+// if IsSigned, -Band.
 //
 // OpenVDB's conversion propagates the closest triangle from node to node. If triangles are small,
 // these distances are up to half a voxel too long. The conversion is therefore followed by a walk
-// over the mesh, from triangle to nearer triangle, up to the closest triangle.
+// over the mesh, from triangle to nearer triangle, as long as the distance decreases.
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
 
 }

@@ -74,7 +74,7 @@ void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
     {
       std::ostringstream text;
       text << "The mesh reaches more than 10^9 voxels of " << voxelSize
-           << " from the origin; enlarge VoxelSize.";
+           << " from the origin; enlarge VoxelSize, or move the mesh.";
       throw std::invalid_argument(text.str());
     }
   }

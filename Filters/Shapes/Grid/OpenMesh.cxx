@@ -58,8 +58,8 @@ private:
 
 constexpr std::size_t TrianglesOfLeaf = 8;
 
-// Beyond this distance from a box [radii of the box], one dipole replaces its triangles, with an
-// error below 1 %.
+// Beyond this distance from a box [radii of the box], one dipole replaces the box's triangles, with
+// an error below 1 %.
 constexpr double FarInRadii = 2.5;
 constexpr double Sphere = 4.0 * 3.14159265358979323846;
 

@@ -20,8 +20,9 @@ struct SurfacePoint
   double Area;                  // area that the point represents
 };
 
-// Sample of a surface. An area fraction s estimated from n points has an error of sqrt(s (1 - s) /
-// n), as for random points. With 8192 points the error is at most 0.6 %, and 0.08 % at s = 0.5 %.
+// Sample of a surface. An area fraction s estimated from n points has a standard error of
+// sqrt(s (1 - s) / n), as for random points. With 8192 points this error is at most 0.6 %; at an s
+// of 0.5 % it is 0.08 %.
 struct SurfaceSample
 {
   static constexpr std::size_t Most = 8192;

@@ -1,7 +1,8 @@
 /**
- * Attaches to a data object the grid from which the data were made, for filters that can use the
- * grid directly. The grid is an entry of the data object's information, which other filters do not
- * copy. Data that another filter has changed therefore have no grid.
+ * Attaches to a data object the grid, or the state of a surface, from which the data were made, for
+ * filters that can use the attachment directly. The attachment is an entry of the data object's
+ * information, which other filters do not copy. Data that another filter has changed therefore have
+ * no attachment.
  */
 #ifndef AttachedData_h
 #define AttachedData_h
@@ -51,7 +52,7 @@ VTKACTIVESHAPES_EXPORT std::shared_ptr<const AttachedState> GetAttachedState(
 VTKACTIVESHAPES_EXPORT bool HasAttachedGrid(vtkInformation* information);
 /** Attaches nothing if `from` has no grid. */
 VTKACTIVESHAPES_EXPORT void CopyAttachedGrid(vtkInformation* from, vtkInformation* to);
-/** Replaces an attached grid by a translated one that shares its values. */
+/** Replaces an attached grid by a translated copy that shares the values of the grid. */
 VTKACTIVESHAPES_EXPORT void MoveAttachedGrid(vtkInformation* information, const double offset[3]);
 
 }

@@ -272,8 +272,8 @@ std::string MeshDefects::Describe() const
   Append(text, this->BrokenPolygons,
     "polygon with a point that is not finite or missing (left out)",
     "polygons with a point that is not finite or missing (left out)");
-  Append(text, this->FlatPolygons, "polygon of fewer than three different points",
-    "polygons of fewer than three different points");
+  Append(text, this->FlatPolygons, "polygon of fewer than three different points (left out)",
+    "polygons of fewer than three different points (left out)");
   return text.str().empty() ? std::string() : "The mesh has defects: " + text.str() + ".";
 }
 

@@ -32,7 +32,8 @@ vtkDataArray* FindArray(vtkPointSet* input, const std::string& name, const char*
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    throw std::invalid_argument(called + "is not among the numeric point arrays of the input.");
+    throw std::invalid_argument(
+      called + "is not among the numeric point arrays of the input; correct its name.");
   }
   if (array->GetNumberOfComponents() != 1)
   {
@@ -42,7 +43,8 @@ vtkDataArray* FindArray(vtkPointSet* input, const std::string& name, const char*
   if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
     throw std::invalid_argument(called + "has " + std::to_string(array->GetNumberOfTuples()) +
-      " values for " + std::to_string(input->GetNumberOfPoints()) + " points.");
+      " values for " + std::to_string(input->GetNumberOfPoints()) +
+      " points; one number per point is needed.");
   }
   return array;
 }
@@ -92,7 +94,7 @@ void RemoveRepeated(std::vector<Ends>& segments)
   segments.resize(kept);
 }
 
-// Omits segments that join a point to itself. Counts point ids that do not exist.
+// Omits segments that join a point to itself. Counts segments with a missing point in `ignored`.
 std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
 {
   const vtkIdType points = input->GetNumberOfPoints();

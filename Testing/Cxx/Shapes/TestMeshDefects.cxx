@@ -98,7 +98,7 @@ TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
   EXPECT_EQ(std::string(potential->GetDefects()),
     "The mesh has defects: 2 polygons with a point that is not finite or missing (left out), 3 "
     "polygons "
-    "of fewer than three different points.")
+    "of fewer than three different points (left out).")
     << "defects";
   EXPECT_LT(ValueAt(potential, { 0.2, 0.2, 0.2 }), -0.1) << "closed without them: a solid";
 }
