@@ -10,9 +10,10 @@
  * - Any vtkImageData.
  *
  * @par Grids of a surface
- * - "surface": a level set. The values are the exact distance to the skin's triangles [length],
- *   negative inside, within 3 voxels on either side, and +-3 voxels beyond. The transform is exact:
- *   voxels of the skin's VoxelSize, with nodes at multiples of VoxelSize.
+ * - "surface": a level set. The values are the distance to the triangles [length], exact for a
+ *   skin, negative inside, within 3 voxels on either side, and +-3 voxels beyond. The transform is
+ *   exact: voxels of VoxelSize (of the skin or, for a mesh, below), with nodes at multiples of
+ *   VoxelSize.
  * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
  * @par Grids of an image

@@ -15,7 +15,7 @@ namespace
 
 // Kernel radius of the means of motion and bulk [own radii].
 constexpr double ReachOfMotion = 4.5;
-// Distance from a particle of a body to the skin, minus its own radius [own radii].
+// Distance from a particle of a body to the skin, minus the own radius [own radii].
 constexpr double BeyondOwnRadius = 0.1;
 // Least half width of the shell around the skin [voxels]. See FindShellRadius.
 constexpr double Band = 3.0;

@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * A vtkImageData, or a vtkPolyData with polygons or strips. The input is read at the first
-   * evaluation after a change of the MTime. The pixels of an image are not copied. Default: none, F
+   * evaluation after its MTime has changed. The pixels of an image are not copied. Default: none, F
    * is 1 everywhere.
    */
   void SetInput(vtkDataSet* input);

@@ -52,9 +52,9 @@
  *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *
  * @par Errors
- * - Elements are ignored if a coordinate, radius or strength is not finite (or above 1e100), or a
- *   radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts ignored elements. A
- *   warning is issued once when the input is read.
+ * - Elements are ignored if a coordinate, radius or strength is not finite (or above 1e100), a
+ *   radius is <= 0 (or below 1e-100), or a point does not exist. GetNumberOfIgnoredElements()
+ *   counts ignored elements. A warning is issued once when the input is read.
  * - A named array that is missing or does not have one number per point is an error. F is then
  *   1/2 everywhere: all space is outside. Without input or elements F is Threshold (1/2 with
  *   ANISOTROPIC) everywhere.
@@ -208,7 +208,8 @@ public:
   bool GetSkeletonBounds(double bounds[6]);
 
   /**
-   * Number of points and segments that are ignored because of an unusable number. Reads the input.
+   * Number of points and segments that are ignored because of an unusable number or a missing
+   * point. Reads the input.
    */
   vtkIdType GetNumberOfIgnoredElements();
 

@@ -1,5 +1,5 @@
 /**
- * Reads the bytes of a file in order, never beyond its end.
+ * Reads the bytes of a file, never beyond the end.
  */
 #ifndef ByteSource_h
 #define ByteSource_h

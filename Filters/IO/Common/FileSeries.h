@@ -13,7 +13,7 @@ namespace activesurface
 {
 
 // Inserts the number into the pattern. The number replaces the last run of # in the file's name,
-// padded to the length of the run. Without #, the number replaces %d or %0Nd. Without any
+// padded by zeros to the length of the run. Without #, the number replaces %d or %0Nd. Without any
 // placeholder, inserts four digits before the extension if `always` is true.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 

@@ -104,8 +104,9 @@ int CountLinesOfChunk(Imf::Compression compression)
   }
 }
 
-// Returns an upper bound of the ratio of unpacked to packed bytes: that of deflate. RLE, PIZ and
-// B44 have lower ratios; DWA deflates the means of blocks of 64 pixels.
+// Returns an upper bound of the ratio of unpacked to packed bytes: 1 without compression, else that
+// of deflate. RLE, PIZ and B44 have lower ratios. DWA has 64 times this bound, as it deflates the
+// means of blocks of 64 pixels.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;

@@ -33,7 +33,7 @@ struct EXRChannel
   int XSampling = 1, YSampling = 1;
 };
 
-// Groups channels into arrays; channels without a layer, the picture, come first.
+// Groups channels into arrays; channels without a layer come first.
 std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels);
 
 // Names the channels of an array with `components` components; color: true if the components are

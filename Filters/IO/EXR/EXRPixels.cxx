@@ -70,8 +70,9 @@ bool Convert(Value value, std::uint32_t& sample)
 
 const char* NameOf(EXRPixel type)
 {
-  return type == EXRPixel::UINT ? "UINT (whole numbers from 0 to 4294967295)"
-                                : (type == EXRPixel::HALF ? "HALF (up to 65504)" : "FLOAT");
+  return type == EXRPixel::UINT
+    ? "UINT (whole numbers from 0 to 4294967295)"
+    : (type == EXRPixel::HALF ? "HALF (up to 65504)" : "FLOAT (single precision)");
 }
 
 template <class Value>
@@ -80,7 +81,7 @@ template <class Value>
   throw FileError(vtkErrorCode::UserError,
     "Value " + std::to_string(value) + " of array \"" + source.Array->GetName() +
       "\" does not fit into the type of channel " + source.Channel + ", " + NameOf(source.Type) +
-      "; choose another type by AssignPixelType.");
+      "; choose another type by AssignPixelType, or rescale the array.");
 }
 
 template <class Sample, class Value, class Change>

@@ -197,8 +197,8 @@ VDBGrid ChooseBest(const VDBFile& file)
   }
   if (!best)
   {
-    throw std::invalid_argument(
-      "The file has no grid that can be read; its grids are: " + ListNames(file) + ".");
+    throw std::invalid_argument("The file has no grid that can be read (its grids are: " +
+      ListNames(file) + "); choose another file.");
   }
   return *best;
 }
@@ -213,7 +213,7 @@ const VDBGrid& FindGrid(const VDBFile& file, const std::string& name)
     }
   }
   throw std::invalid_argument(
-    "The file has no grid \"" + name + "\"; its grids are: " + ListNames(file) + ".");
+    "The file has no grid \"" + name + "\"; choose one of its grids: " + ListNames(file) + ".");
 }
 
 std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>& names)

@@ -86,7 +86,7 @@ public:
     this->Tree->BuildLocator();
   }
 
-  // Finds more candidates than needed: because of its single precision, the tree cannot rank nearly
+  // Finds more candidates than needed: because of single precision, the tree cannot rank nearly
   // equal distances, as in a lattice.
   Distances FindNearest(const double from[3]) const
   {

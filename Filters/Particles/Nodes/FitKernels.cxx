@@ -257,7 +257,7 @@ private:
     }
   }
 
-  // Finds half-axes in the proportions of the shape, with the volume of a ball.
+  // Blends, by `shape`, a ball and an ellipsoid of its volume in the neighbourhood's proportions.
   ACTIVE_ALWAYS_INLINE void FindEllipsoid(const Lanes (&mean)[3], const Lanes (&axes)[3],
     const Lanes& shape, const Lanes& reach, const LaneEigen& eigen) const
   {

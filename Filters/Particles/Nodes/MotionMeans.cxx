@@ -157,8 +157,9 @@ struct PointMotion
   bool IsWeak = true; // from too few particles
 };
 
-// Points without a known displacement, or with few particles, near the ends of their kernels, get
-// the mean of the other points. If all points have few particles, only unknown points get the mean.
+// Points whose displacement is unknown, or is from few particles (near the ends of the kernels),
+// get the mean of the other points. If all points have few particles, only unknown points get the
+// mean.
 void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& motion)
 {
   const bool areAllWeak =

@@ -63,8 +63,7 @@ vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     throw std::invalid_argument(called + " has " + std::to_string(array->GetNumberOfTuples()) +
-      " values for " + std::to_string(image->GetNumberOfPoints()) +
-      " pixels; give it one value for each pixel.");
+      " values for " + std::to_string(image->GetNumberOfPoints()) + " pixels; each needs one.");
   }
   return array;
 }
@@ -140,8 +139,7 @@ void ImageSamples::ReadAxes(vtkImageData* image)
   if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
   {
     throw std::invalid_argument("The image has no position in space: its origin or spacing is not "
-                                "finite, a spacing is 0, or its axes are not orthogonal; correct "
-                                "these.");
+                                "finite, a spacing is 0, or axes are not orthogonal; correct it.");
   }
   vtkMath::Invert3x3(columns, this->Inverse);
   constexpr double roundings = 32.0;
