@@ -9,8 +9,8 @@
  *   expanded to voxels.
  * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared and
  *   perspective grids are an error.
- * - Points grids become a vtkPolyData with a vertex for each point and all attributes (groups as 0
- *   or 1).
+ * - A points grid becomes a vtkPolyData with a vertex for each point and all attributes (groups as
+ *   0 or 1).
  * - With OutputDense off, a level set is passed to an input port of a vtkActiveImplicitSurface, or
  *   to a vtkGridPotential, without a dense image. The output then has an extent, but no array, and
  *   carries the grid.

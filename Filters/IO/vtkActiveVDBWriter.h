@@ -204,7 +204,8 @@ public:
 
   /**
    * Updates the input and writes the files. Returns 0, with an error and ErrorCode, after a failure
-   * or if AbortExecute was set between two time steps. Files of earlier time steps are kept.
+   * or if AbortExecute was set before a time step (with WriteAllTimeSteps). Files of earlier time
+   * steps are kept.
    */
   int Write();
 

@@ -61,7 +61,7 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
   bool HasRadii = false;         // true if radii are from an array; otherwise call GiveRadius
   double ReachPerRadius = 1.0;   // support radius / radius in the array, see UseRadii
   bool HasVelocities = false;    // true if Velocities are from an array
-  std::size_t Ignored = 0;       // omitted points: not finite, or without a positive radius
+  std::size_t Ignored = 0;       // omitted points, see SkeletonVertex::IsUsable
   std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
   std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
   vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted

@@ -1,10 +1,10 @@
 // Particles sorted by blocks of 8^3 cells; and the shell, the cells that may contain the particles'
 // surface.
 //
-// A cell is at least twice as wide as the smallest own radius. Each particle fills a cube of twice
-// its own radius. Cells with a full neighbourhood, and cells far from any particle, contain no
-// surface. The remaining cells are the shell. The filling is an integer sum, independent of the
-// order of particles.
+// A cell is at least twice as wide as the smallest own radius. Each particle fills a cube whose
+// side is twice the own radius. Cells with a full neighbourhood, and cells far from any particle,
+// contain no surface. The remaining cells are the shell. The filling is an integer sum, independent
+// of the order of particles.
 
 #ifndef ParticleBlocks_h
 #define ParticleBlocks_h

@@ -28,7 +28,7 @@ struct VTKACTIVESHAPES_EXPORT MeshDefects
   std::size_t OpenEdges = 0;      // edges of one polygon only
   std::size_t CrowdedEdges = 0;   // edges of more than two polygons
   std::size_t OddEdges = 0;       // edges of an odd number of polygons: one, three ...
-  std::size_t BrokenPolygons = 0; // omitted: a point is not finite or does not exist
+  std::size_t BrokenPolygons = 0; // omitted: a point is not finite (or above 1e100) or missing
   std::size_t FlatPolygons = 0;   // omitted: fewer than three different points
 
   bool IsClosed() const { return this->OddEdges == 0; }
