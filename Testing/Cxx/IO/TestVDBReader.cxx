@@ -311,7 +311,7 @@ TEST(TestVDBReader, AbsurdBoxesAreRefused)
   EXPECT_EQ(At(reader->GetImageOutput(), -3, 4, 5), 1.0) << "a region of it";
   reader->SetIndexRegion(-4, 2000000000, 4, 4, 5, 5);
   reader->Update();
-  EXPECT_TRUE(errors.Has("beyond 2^30")) << errors.GetLastError();
+  EXPECT_TRUE(errors.Has("beyond +-2^30")) << errors.GetLastError();
   reader->SetRegionToWorld();
   reader->SetWorldRegion(0.0, std::nan(""), 0.0, 1.0, 0.0, 1.0);
   reader->Update();
