@@ -11,13 +11,13 @@
  *     Attraction * (TargetIsoValue - F) - Tension * kappa + Transport * (v . n)
  *     + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  *
- * F is the target's value or distance, reduced within TargetNoise. kappa is the sum of the
- * principal curvatures, n the outward normal, v the velocity of the target's particles. A and V are
- * the skin's area and volume, A0 and V0 TargetArea and TargetVolume; the last two terms need
- * AreaControl and VolumeControl PENALTY.
+ * F is the target's value. NormalizeTarget replaces F - TargetIsoValue by a distance, which
+ * TargetNoise reduces. kappa is the sum of the principal curvatures, n the outward normal, v the
+ * velocity of the target's particles. A and V are the skin's area and volume, A0 and V0 TargetArea
+ * and TargetVolume; the last two terms need AreaControl and VolumeControl PENALTY.
  *
- * A change of a property restarts the motion, except where its comment says otherwise. -1 is the
- * automatic value of some properties; Get...InUse returns the value that was found.
+ * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
+ * the automatic value of some properties; Get...InUse returns the value in use.
  *
  * @par Input 0 (optional): target
  * - No input: TargetFunction is the target.
@@ -27,11 +27,11 @@
  * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
- * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with arrays as for particles.
+ * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with radii and strengths.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
- *   the distance to the mesh, from a vtkGridPotential.
+ *   the signed distance to the mesh, from a vtkGridPotential.
  * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (with InvertTarget,
- *   above), and within the image's box. A mask (two values) is smoothed within half a pixel.
+ *   above), and within the image's box. Masks (two values): see TargetIsoValue and TargetNoise.
  *
  * @par Input 1 (optional): start, the shape at the first time
  * - No input: InitialFunction, else the target, is the shape.
@@ -66,15 +66,15 @@
  * @par Output 1: potential, a vtkImageData
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
- * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. The default of
- *   ModelBounds is unavailable before the first update, unless this port is connected.
+ * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
+ *   unset, the extent may be empty before the first update; on one process, not if connected.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far
  *   | Column              | Unit          | Meaning                           |
  *   | ------------------- | ------------- | --------------------------------- |
  *   | Time                | pipeline time | time step                         |
  *   | Substeps            | 1             | count since previous row          |
- *   | MaxSpeed            | length/time   | of attraction, since previous row |
+ *   | MaxSpeed            | length/time   | of attraction (explicit substeps) |
  *   | Area                | length^2      | of the skin                       |
  *   | Volume              | length^3      | of the skin                       |
  *   | ActiveVoxels        | 1             | of the skin                       |
@@ -85,24 +85,24 @@
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
  *   count if outside by more than their own radius. Over other targets, points spread over the
- *   inside (of a function: within ModelBounds) count if more than a voxel outside. A fraction of
- *   1 % then has a standard error of 0.16 %. Points beyond walls are ignored. Values above 1 %
- * cause one warning, unless they fall from step to step.
+ *   inside (of a function: within ModelBounds) count if more than a voxel outside. A fraction of 1
+ *   % has a standard error of 0.16 % if the target fills 1/16 of its box. Points beyond walls or in
+ *   the obstacle are ignored. A value above 1 %, not below the previous row's, causes one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
  *
  * @par Time
  * - The time steps of the input are published, or StartTime + i * TimeStepSize if the input has
- *   fewer than two (TargetFunction, static particles).
+ *   fewer than two (TargetFunction, static particles); none with EQUILIBRIUM or Advance.
  * - The surface starts at the first time step. A later time continues from the current state, and
  *   reads the input once for each step in between. A repeated time costs nothing. An earlier time
- *   continues from the nearest checkpoint before it (CheckpointInterval).
+ *   continues from the last checkpoint up to that time (CheckpointInterval).
  * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
  * - The motion restarts when the target, the initial shape or a property of the motion changes, and
  *   when data without time steps replace other data. In situ, if the input's list of time steps
- *   grows, the motion continues, and only the new steps are read.
+ *   grows, the motion continues: the last step read is read again, then new steps.
  * - If the input provides each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are
  *   the requested times. Advance adds single frames.
  *
@@ -112,7 +112,7 @@
  * - On one process, piece 0 of several pieces has the whole skin and history; the image is split.
  *
  * @par Errors
- * - Errors empty the outputs. The next update continues from the last finished substep.
+ * - Errors empty the outputs. The next update resumes the motion (lack of memory: restarts it).
  * - A vanished skin is valid: empty output and one warning.
  */
 
@@ -183,7 +183,7 @@ public:
   ///@}
 
   ///@{
-  /** Makes values above TargetIsoValue the inside, also for images at port 1. Turn on for
+  /** Makes values above TargetIsoValue the inside, also for an image at input port 1. Turn on for
    * densities, which are larger inside. Default: off, values below are the inside. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
@@ -201,8 +201,8 @@ public:
 
   ///@{
   /** Distance [length] from the target beyond which the attraction is constant: the largest speed
-   * is Attraction * TargetReach. Larger values are faster, in more substeps. Range: > 0, or -1,
-   * automatic: 3 ParticleSpacing over particles, else 1/8 of the bounds' diagonal. Default: -1. */
+   * is Attraction * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3
+   * ParticleSpacing if VoxelSize would use it, else 1/8 of the bounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -225,10 +225,10 @@ public:
 
   ///@{
   /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): the paper's sum of
-   * ParticleKernel at ParticleThreshold; bumpy, and with the defaults more than r too wide.
-   * ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles has a flat surface
-   * and their volume; an isolated particle is a ball of radius r. Lines of a skeleton are always a
-   * SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
+   * ParticleKernel at ParticleThreshold; bumpy, and with the defaults more than half a spacing too
+   * wide. ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles has a flat
+   * surface and the particles' volume; an isolated particle is a ball of one spacing's diameter.
+   * Lines of a skeleton are always a SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
@@ -236,12 +236,12 @@ public:
   ///@}
 
   ///@{
-  /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
-   * fills. Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third
-   * nearest, with an array of radii at most the median diameter. A warning reports the spacing if
-   * neither KernelRadius nor radii are given. The estimate is the least at the first, middle and
-   * last time step, read before the start. Steps with less than a tenth of another's particles are
-   * ignored. If the input cannot go back in time, only the first step counts. Default: -1. */
+  /** Usual distance of neighbouring particles [length]: the side of the cube that a particle fills.
+   * Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third nearest,
+   * with an array of radii at most the median diameter. A warning reports the spacing if neither
+   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last time
+   * step, read first. Steps with less than a tenth of another's particles are ignored. With
+   * Advance, or if the input cannot go back in time, only the first step counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -249,9 +249,9 @@ public:
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
    * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated particle
-   * or line then becomes a ball or tube of the array's radius, and its kernel ends at 4.5 times
-   * this radius, or with SUM at the distance that gives this radius. Range: 1e-30 to 1e30, or -1,
-   * automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+   * or line then becomes a ball or tube of the array's radius. The kernel ends at 4.5 times this
+   * radius, or (SUM, and lines) at the distance that gives this radius. Range: 1e-30 to 1e30, or
+   * -1, automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
@@ -283,18 +283,18 @@ public:
 
   ///@{
   /** Level [1] of the particles' summed influence at which SUM places the surface. Lower values
-   * give thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0; else
-   * all space would be inside. Default: 0.5. */
+   * give thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0;
+   * below 0, all space would be inside. Default: 0.5. */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
   ///@}
 
   ///@{
   /** Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a
-   * simulation of molecules. A particle that leaves the box through a side enters through the
-   * opposite side, wherever the input lists it. Between two time steps a particle moves on the
-   * shortest path. The skin is closed at the sides of the box. Range: finite; an axis with min >=
-   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), no axis. */
+   * simulation of molecules. A particle outside the box counts at its periodic image in the box.
+   * Between two time steps a particle moves on the shortest path. The skin is closed at the sides
+   * of the box. Range: finite; an axis with min >= max is not periodic. Default: (1, -1, 1, -1, 1,
+   * -1), no axis. */
   vtkSetVector6Macro(PeriodicBounds, double);
   vtkGetVector6Macro(PeriodicBounds, double);
   ///@}
@@ -304,27 +304,27 @@ public:
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at multiples of VoxelSize. Half the size needs 4 times the memory and 8 times the time, with
-   * Tension 16 times. Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing over
-   * particles (with SUM or ModelBounds only if the spacing is set), else a 64th of the bounds'
-   * longest side; over images a pixel if smaller, down to a 1000th of that side. Default: -1. */
+   * Tension 16 times. Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing if set, or
+   * (without SUM and ModelBounds) estimated, else a 64th of the bounds' longest side; over images
+   * without ModelBounds a pixel if smaller, down to a 1000th of that side. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, at
-   * each lattice node, and which the potential's image covers. The skin may leave the box later.
-   * Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box
-   * of the first target and the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential),
-   * enlarged at each end by an eighth of its longest side, with images by two voxels. */
+  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
+   * which the potential's image covers. The skin may leave the box later. Range: finite, min < max
+   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first target and
+   * the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential), enlarged at each end by
+   * an eighth of its longest side, with images by two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
 
   ///@{
   /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, where the
-   * skin is closed. Over particles, except in explicit substeps, a skin within r of a face lies
-   * flat on the face. Range: on or off. Default: off. */
+   * skin is closed. Over particles, except in explicit substeps, a skin within ParticleSpacing / 2
+   * of a face lies flat on the face. Range: on or off. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
@@ -335,8 +335,8 @@ public:
   ///@{
   /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
-   * target. Range: >= 0, or -1, automatic: 6 divided by the interval from an input step to the
-   * next, which leaves 1/400 of a distance; 1 if the input is static, or with EQUILIBRIUM or
+   * target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval from an input step to the
+   * next), which leaves 1/400 of a distance; 1 if the target is static, or with EQUILIBRIUM or
    * PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
@@ -348,11 +348,11 @@ public:
    * radius sqrt(r0^2 - 4 * Tension * t). If F is the distance to a ball of radius R, the skin keeps
    * the radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), and vanishes if R < 2.83 sqrt(Tension
    * / Attraction). If F / |grad F| exceeds the distance inside, smaller balls remain: over
-   * particles the factor is about 2.4; over a vtkSphere, whose F is r^2 - R^2, the radius is
-   * sqrt(R^2 - 4 * Tension / Attraction). There are at least 4 * Tension * time / VoxelSize^2
-   * substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r,
-   * Attraction * p^2 / 5 over masks of pixels p; else 0; over particles also 0 with SUM,
-   * TensionWeighting off, PaperScheme or explicit substeps (TimeIntegration). Default: -1. */
+   * particles 2.83 becomes about 2.4; over a vtkSphere, whose F is r^2 - R^2, the radius is
+   * sqrt(R^2 - 4 * Tension / Attraction). Explicit motion needs at least 4 * Tension * time /
+   * VoxelSize^2 substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of
+   * spacing 2 r, Attraction * p^2 / 5 over masks of pixels p; else 0; over particles also 0 with
+   * SUM, TensionWeighting off, PaperScheme or explicit substeps (TimeIntegration). Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
@@ -368,14 +368,14 @@ public:
   ///@}
 
   ///@{
-  /** Amplitude [length] of noise in the target's surface. A skin within this distance of the target
-   * follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of particles it is
-   * Attraction from 1.5 times this distance on. Transport moves the skin of a body only if its
-   * particles move together: velocities within the error of their mean are ignored. Drops and
-   * threads are not affected. The skin of a fluid in a steady state is therefore smooth, does not
-   * move, and is at most this distance from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to
-   * 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, half a pixel over masks (bound of
-   * the smoothing); else 0; also 0 with SUM, PaperScheme or explicit substeps. Default: -1. */
+  /** Amplitude [length] of noise in the target's surface. Well within this distance of the target
+   * the skin follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of
+   * particles it is Attraction from 1.5 times this distance on. Transport moves the skin of a body
+   * only if its particles move together: velocities within the error of their mean are ignored.
+   * Drops and threads are not affected. The skin of a fluid in a steady state is smooth, does not
+   * move, and is at most about this distance from the target. Needs NormalizeTarget. Range: 0 or
+   * 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, 0.47 pixels over masks
+   * (bound of the smoothing); else 0; also 0 in explicit substeps, and with SUM. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -395,8 +395,8 @@ public:
    * only the target has, deep inside the skin, are created, too. Over a mesh, an image or a
    * vtkGridPotential, such a part is a connected part or void that the skin does not meet; over
    * particles, a part that the skin does not reach by itself. Parts that Tension would remove are
-   * not created. Off: a skin only appears where the previous skin has been. No effect on skeletons,
-   * on other functions and with PaperScheme. Default: on. */
+   * not created. Off: a skin only appears where the previous skin has been. No effect on skeletons
+   * and other functions (except with ArrivalTime), and with PaperScheme. Default: on. */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
   vtkBooleanMacro(CreateParts, vtkTypeBool);
@@ -428,7 +428,7 @@ public:
   ///@}
 
   ///@{
-  /** Largest number of substeps of an update, with EQUILIBRIUM. Range: >= 0. Default: 10000. */
+  /** Largest number of substeps of a motion (EQUILIBRIUM). Range: >= 0. Default: 10000. */
   vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfSubsteps, int);
   ///@}
@@ -443,11 +443,11 @@ public:
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
    * over particles and masks one step for each time step, else EXPLICIT. That step carries the
    * skin, evaluates the target once, at lattice nodes near the target's surface, and relaxes the
-   * skin towards the target. Explicit substeps ignore Transport and TensionWeighting. Particles use
-   * EXPLICIT also with EQUILIBRIUM or PaperScheme, and in these cases, with a warning if they move:
-   * Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other
-   * than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation or
-   * GradientScheme not the default. Default: AUTOMATIC. */
+   * skin towards the target. Particles and masks use EXPLICIT also with EQUILIBRIUM or PaperScheme
+   * (masks also with an initial shape or TargetNoise 0), and in these cases, with a warning if
+   * particles move: Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget,
+   * TargetIsoValue other than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off,
+   * TargetEvaluation or GradientScheme not the default. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -498,8 +498,8 @@ public:
   ///@{
   /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
    * is clamped to +-3 voxels. The target at a node is the mean of F at the node's crossings (or by
-   * TargetEvaluation); other nodes use F at the node. Differences are central; time steps are by
-   * eq. (6) and (7) in a box of unit size. Default: off. */
+   * TargetEvaluation); nodes without crossings use F at the node. Differences are central; time
+   * steps are by eq. (6) and (7) in a box of unit size. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -516,10 +516,10 @@ public:
 
   ///@{
   /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control. PENALTY (1): a
-   * speed in proportion to the missing fraction. A ball of radius r0 without a target loses a
-   * fraction e, with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
-   * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
-   * restores the volume to 1e-6, through splits to 1e-5, at three times the cost. Default: NONE. */
+   * speed in proportion to the missing fraction e. In a ball of radius r0 without a target e (1 -
+   * e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 < 4.233
+   * Tension. EXACT (2): a uniform displacement after each substep restores the volume to 1e-6,
+   * through splits to 1e-5, at three times the cost. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -543,8 +543,8 @@ public:
 
   ///@{
   /** Control of the skin's area (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as with
-   * VolumeControl. With PENALTY, a ball of radius r0 without a target loses a fraction e, with
-   * e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0), and collapses if AreaStiffness * r0 < 5.196
+   * VolumeControl. With PENALTY, a ball of radius r0 without a target lacks a fraction e: e (1 -
+   * e)^(1/2) = 2 Tension / (AreaStiffness r0); the ball collapses if AreaStiffness * r0 < 5.196
    * Tension. EXACT is an error with VolumeControl EXACT: one displacement cannot restore both.
    * Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
@@ -639,7 +639,7 @@ public:
 
   ///@{
   /** Largest length [length/time] of the vectors of "Velocity". Longer vectors lose part of their
-   * normal component. Skin that catches up, as where parts merge, moves at up to Attraction *
+   * normal component first. Skin that catches up, as where parts merge, moves at up to Attraction *
    * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle from the
    * previous step to this one (at the first step, to the next): (displacement + change of radius) /
    * time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no limit if
@@ -661,7 +661,7 @@ public:
   /** Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
    * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
    * Other arrays, such as ids and names, have the value of the particle of the largest weight.
-   * Points outside all kernels use the nearest particle. Values are linear between two steps.
+   * Points outside all kernels use the nearest particle. Averages are linear between two steps.
    * Omitted are ghost levels, and arrays that have a name of the skin's own arrays, lack a value
    * for a point, or differ in type between steps. Does not restart the motion. Default: off. */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
@@ -671,8 +671,8 @@ public:
 
   ///@{
   /** Computes the potential's image, output port 1, with each skin, so that GetPotential() returns
-   * it after Update(). Update(1) always computes the image. The image needs 4 bytes for each
-   * lattice node in the bounds. Does not restart the motion. Default: off. */
+   * this image after Update(). Update(1) always computes the image. The image needs 4 bytes for
+   * each lattice node in the bounds. Does not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
@@ -682,8 +682,8 @@ public:
 
   ///@{
   /** Interval of stored states, in time steps. A request for an earlier time recomputes at most
-   * this number of steps, unless CheckpointMemory removes states. 0 stores none: such a request
-   * restarts the motion. Does not restart the motion. Range: >= 0. Default: 1. */
+   * this number of steps, unless CheckpointMemory removes states. 0 stores none: a request for an
+   * earlier time restarts the motion. Does not restart the motion. Range: >= 0. Default: 1. */
   vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointInterval, int);
   ///@}
@@ -734,28 +734,28 @@ public:
    * last one. The result is bitwise identical to that of the complete series. The frame becomes the
    * input of port 0, and may be the same object with new contents. The first frame is at StartTime,
    * or at the time of a loaded state; its dt is ignored. GetOutput() is at the newest frame,
-   * whatever time is requested. A change of a property that restarts the motion does so at that
-   * frame. Velocities do not use the next frame. Returns false, with an error, if there is no skin.
-   * A rejected frame changes nothing. If the motion to a frame stops before its end (abort,
-   * MaximumNumberOfActiveVoxels), the frame is kept: Update() or the next frame resumes. Range of
-   * dt: > 0, finite. */
+   * whatever time is requested. If a changed property restarts the motion, the newest frame is the
+   * first. Velocities do not use the next frame. Returns false, with an error, for a rejected
+   * frame, which changes nothing. Also returns false if the motion to the frame stops before its
+   * end (abort, MaximumNumberOfActiveVoxels). The frame is then kept: Update() or the next frame
+   * resumes. Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
-  /** Restarts the motion at the next update, or at StartTime by Advance. Drops a loaded state. */
+  /** The next update restarts the motion (Advance: at StartTime). Drops a loaded state. */
   void ResetTrajectory();
 
   /** Turns PaperScheme on, NormalizeTarget off; sets EXPLICIT, SHIFTED, CENTRAL, SUM (paper). */
   void PaperFaithful();
 
   ///@{
-  /** Numbers of target evaluations and substeps since the start or ResetCounters. */
+  /** Numbers of target evaluations and substeps since New or ResetCounters. */
   vtkIdType GetTargetEvaluations();
   vtkIdType GetSubsteps();
   void ResetCounters();
   ///@}
 
   ///@{
-  /** Values in use of automatic properties (-1). 0: unused, or unknown before the first update. */
+  /** Values in use of properties that may be automatic (-1). 0: unused, or not known yet. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
   double GetKernelRadiusInUse();
