@@ -18,7 +18,7 @@ class vtkInformation;
 namespace activesurface
 {
 
-// The filter's own clock, for a target without time steps.
+// The filter's own clock, for a target with fewer than two time steps.
 struct ClockProperties
 {
   double StartTime = 0.0; // in pipeline time, like TimeStepSize

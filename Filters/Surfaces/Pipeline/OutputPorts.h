@@ -53,7 +53,7 @@ public:
 
 private:
   SkinFunction Function;
-  // Time of the outputs. Unchanged if a later request fails upstream.
+  // Time of the outputs; kept if a later request fails upstream.
   bool AreFilled = false;
   RequestedTime Filled;
 };

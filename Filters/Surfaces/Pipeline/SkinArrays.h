@@ -1,4 +1,4 @@
-// Point arrays of the skin besides points and normals.
+// Point arrays of the skin other than the normals.
 
 #ifndef SkinArrays_h
 #define SkinArrays_h

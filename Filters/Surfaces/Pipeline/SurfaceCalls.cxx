@@ -77,9 +77,9 @@ void SurfaceRequests::LoadState(const std::string& file)
 }
 
 // Throws std::invalid_argument if a target is missing, or if there are two targets or two initial
-// shapes. Throws RankError for composite data: VTK calls each rank once for each of its blocks, so
-// the ranks have no common collective call. Data are composite on all ranks or on none, so all
-// ranks throw.
+// shapes. Throws RankError for data sets of levels (AMR): VTK calls a rank once for each of the
+// rank's blocks, so the ranks have no common collective call. Data have levels on all ranks or on
+// none, so all ranks throw.
 void SurfaceRequests::CheckInputs() const
 {
   const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
@@ -107,8 +107,9 @@ void SurfaceRequests::CheckInputs() const
   }
   if (this->Initial.IsStillAt(this->CompositeInitial))
   {
-    throw RankError("The input of port 1 is a composite data set, which is no initial "
-                    "shape; extract or merge its blocks to one mesh or image.");
+    throw RankError(
+      "The input of port 1 is a composite data set of levels (AMR), which is no initial "
+      "shape; make one image of it (vtkResampleToImage).");
   }
 }
 

@@ -59,7 +59,8 @@ std::string ListArrays(vtkPointData* arrays)
     const char* name = arrays->GetArrayName(i);
     names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
   }
-  return names.empty() ? "it has no point arrays with names" : "its point arrays are " + names;
+  return names.empty() ? "it has no point arrays with names; add the array"
+                       : "choose another; its point arrays are " + names;
 }
 
 // Returns true for a table without columns, which a rank receives if another rank has the data.

@@ -37,7 +37,8 @@ void Check(int isDone)
   if (!isDone)
   {
     throw std::runtime_error(
-      "The communication between the ranks failed: the Controller reports an error.");
+      "The communication between the ranks failed: the Controller reports an error; "
+      "see the messages of MPI, and restart all ranks.");
   }
 }
 

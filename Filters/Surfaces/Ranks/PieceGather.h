@@ -24,7 +24,7 @@ struct PieceFacts
 // Facts of the whole input.
 struct AllPieces
 {
-  PieceKind Kind = PieceKind::Nothing; // if no rank has data
+  PieceKind Kind = PieceKind::Nothing; // Nothing if no rank has data
   bool HaveCells = false;
   std::uint64_t Points = 0;
   std::uint64_t PointsBefore = 0; // points in the pieces of lower ranks

@@ -62,9 +62,9 @@ constexpr double FactorsPerStep = 6.0;
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
-  "over their spacing. To accept that, set TimeIntegration to EXPLICIT.";
+  "over their spacing. Undo this setting; or accept that, and set TimeIntegration to EXPLICIT.";
 constexpr char NoSkinOnNodes[] =
-  "The particles have no surface that the voxels can resolve, or the obstacle covers it, so there "
+  "The target has no surface that the voxels can resolve, or the obstacle covers it, so there "
   "is no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";
 
 }
@@ -121,7 +121,7 @@ bool MotionDriver::StaysOnNodes() const
 }
 
 // Returns a given Tension divided by the attraction of the first time step. Returns 0 if that
-// attraction is unknown yet, and over particles if it is automatic.
+// attraction is 0 or unknown, and over particles if that attraction is automatic.
 double MotionDriver::FindTensionAtStart(const Motion& motion) const
 {
   if (!this->Settings.HasAutomaticAttraction())
@@ -250,7 +250,7 @@ void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
   }
 }
 
-// Conserves the labels' volume, unless another control is set, or walls or an obstacle cut labels.
+// Conserves the labels' volume, unless there is a control, a wall or an obstacle.
 void MotionDriver::HoldLabelVolume(int step, double fraction, Motion& motion) const
 {
   const double volume = this->Shapes.FindLabelVolume(step, fraction);

@@ -32,7 +32,7 @@ public:
     this->Arriving.reset();
   }
 
-  // Neither limit changes the motion.
+  // These limits do not change the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
@@ -56,8 +56,8 @@ public:
     return this->GetMotion(step, this->Shapes.IsOnNodes(step, step + 1));
   }
 
-  // Returns the walls of the bounded domain. On periodic axes the walls are outside the box, at the
-  // distance `beyond` from its sides.
+  // Returns the walls of the bounded domain. On periodic axes the walls are outside the periodic
+  // box, at the distance `beyond` from the sides.
   Walls MakeWalls(double beyond) const;
 
   // Numbers since ResetCounters, including motions that ended in an exception.

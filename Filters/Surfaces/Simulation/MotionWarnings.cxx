@@ -15,9 +15,9 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << (end.MayComeBack
-                ? "; it reappears where the target does."
-                : "; it does not reappear. Check that target and initial shape overlap.");
+         << (end.MayComeBack ? "; it reappears where the target does."
+                             : "; it does not reappear. Check that target and initial shape "
+                               "overlap. Lower Tension, if set.");
     messages.Say("vanished", text.str());
   }
   if (report.Substeps > 0 && report.UniformPulls == report.Substeps)
@@ -27,7 +27,8 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
       << "Before the motion time " << time.Value
       << " the target attracted the skin inward at the same speed everywhere. VolumeControl or "
       << "AreaControl EXACT cancels such an attraction, so the skin did not approach the target, "
-      << "which is outside the skin, or farther inside than TargetReach. Check that target and "
+      << "which is outside the skin, or farther inside than TargetReach; if it is inside, raise "
+      << "TargetReach. Check that target and "
       << "initial shape overlap.";
     messages.Say("cancelled attraction", text.str());
   }
@@ -88,7 +89,7 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
     {
       text
         << std::setprecision(2) << 100.0 * report.MovingShare
-        << " % of the skin does not settle: it oscillates by " << report.MovingDistance
+        << " % of the skin does not settle: this part oscillates by " << report.MovingDistance
         << " voxels on average, because the target has edges or steps that Tension smooths or the "
         << "lattice cannot resolve. Use a distance or a smooth image as target, lower Tension, or "
         << "set TargetNoise to the size of the steps.";

@@ -60,7 +60,8 @@ constexpr const char* NotAtRest = "not at rest";
 /** Returns the event: steady, steady except for an oscillating fraction, or NotAtRest. */
 std::string DescribeRest(const AdvanceReport& report);
 
-// Warns if the substeps ended before a steady state, or if a part of the skin oscillates.
+// Warns if the substeps ended before a steady state, or if more than FewMoving of the skin
+// oscillates.
 void WarnOfNoRest(
   const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages);
 

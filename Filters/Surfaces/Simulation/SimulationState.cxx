@@ -127,7 +127,7 @@ void SurfaceSimulation::RestoreLoaded()
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
-  // Restores the rows up to this step, unless more rows are recorded already.
+  // Restores the rows up to this step, unless as many or more rows are recorded already.
   this->History.Restore(this->Loaded.History);
 }
 

@@ -107,8 +107,9 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   {
     if (this->Arrays.Passed)
     {
-      this->Messages.Say(
-        "no particles", "PassTargetArrays has no effect here: the target has no particles.");
+      this->Messages.Say("no particles",
+        "PassTargetArrays has no effect here: the target has no particles; turn PassTargetArrays "
+        "off.");
     }
     return passed;
   }

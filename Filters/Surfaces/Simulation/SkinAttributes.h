@@ -44,12 +44,12 @@ struct ArrayFrames
 };
 
 // Returns the frames at the requested time. If wantsInterval, for particle velocities, returns the
-// frames of the interval up to the requested time instead; at the first step, of the interval after
-// this step.
+// frames of the interval before the requested step instead; at the first step, and at a time
+// between steps, of the interval after the step.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 
-// Returns true if the arrays depend on the displacement of particles between two steps.
+// Returns true if the arrays depend on the displacement of particles or labels between two steps.
 bool WantDisplacements(const RequestedArrays& arrays, const TargetBuilder& target);
 
 // Returns true if the frame of a step is stored and was read with the needed particle arrays.

@@ -14,8 +14,8 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation.
-  // A coordinate is 0 if the bounds are near 0 along its axis, otherwise near the centre of the
+  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation. A
+  // coordinate is 0 if the bounds are near 0 along this axis, otherwise near the centre of the
   // bounds (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin

@@ -44,14 +44,14 @@ public:
   // Returns the fraction of the target outside the skin in a row; NaN without such a row.
   double GetOutside(std::size_t row) const;
 
-  // Replaces the rows by those of a loaded state, unless more rows are recorded already.
+  // Replaces the rows by those of a loaded state, unless as many or more rows are recorded already.
   void Restore(const std::vector<HistoryRow>& rows);
 
   // Sets the time of the first row. This time changes from StartTime to the input's first time step
   // when an input of one step gets more steps.
   void SetFirstTime(PipelineTime time);
 
-  // Returns at most the first `most` rows.
+  // Returns the first rows, `most` at most.
   std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:

@@ -95,7 +95,7 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
        << " have to be finite and ascending";
   if (!steps.empty())
   {
-    text << ", but number " << bad << " is " << steps[bad];
+    text << ", but step " << bad << " (counted from 0) is " << steps[bad];
   }
   if (bad > 0)
   {
@@ -254,14 +254,14 @@ void SurfaceSettings::Check() const
   Require(this->Parameters.AreaControl != Control::Exact ||
       this->Parameters.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
-    "numbers; make one of them PENALTY.");
+    "numbers; set one of them to PENALTY or NONE.");
   Require(!this->Particles.ArePeriodic() ||
       (this->Parameters.VolumeControl == Control::None &&
         this->Parameters.AreaControl == Control::None),
     "VolumeControl and AreaControl need a skin that ends within the box, but PeriodicBounds "
     "continues the skin across the sides; set both controls to NONE, or unset PeriodicBounds.");
   Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
-    "ArrivalTime needs a target that stands still, but the input has time steps; set ArrivalTime "
+    "ArrivalTime needs a target that stands still, but the input moves in time; set ArrivalTime "
     "to 0, or give one time step of the input.");
   Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Parameters.Paper),
     "ArrivalTime needs distances, and is no part of the paper's scheme; turn NormalizeTarget on "

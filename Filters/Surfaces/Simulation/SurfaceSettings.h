@@ -1,5 +1,5 @@
 // All settings that determine the motion of a surface. Equal settings yield equal motion, so a
-// state stays valid while the settings are unchanged.
+// state stays valid until a setting changes.
 
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h
@@ -27,10 +27,10 @@ namespace activesurface
 enum class EvolutionMode
 {
   Transient,  // moves along the time steps
-  Equilibrium // moves to the steady state of the only step
+  Equilibrium // moves to the steady state on the first step
 };
 
-// NodesIfPossible: the node scheme over particles, unless a setting needs substeps.
+// NodesIfPossible: the node scheme over particles and labels, unless a setting needs substeps.
 enum class IntegrationChoice
 {
   Explicit,
@@ -135,8 +135,8 @@ struct SurfaceSettings
   {
     return this->Attraction == Automatic && !this->Parameters.Paper && !this->IsEquilibrium();
   }
-  // Returns Parameters with Attraction and Tension: set, or the automatic values for a static
-  // target.
+  // Returns Parameters with the set Attraction and Tension; an automatic Attraction is 1 here, an
+  // automatic Tension 0.
   Motion GetLaw() const;
   // Returns the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
@@ -146,11 +146,12 @@ struct SurfaceSettings
   // If the skin's distance to the target falls by less than a factor e^2, the skin may be outside
   // this region.
   static constexpr double FewestFactorsOfNodes = 2.0;
-  // Returns true if ranks may partition space: the node scheme makes all time steps, over a moving
-  // input of anisotropic particles of one radius. Requires that there is no VolumeControl, no
-  // AreaControl, no periodic box and no initial shape.
+  // Returns true if ranks may partition space over particles: the input moves, the node scheme
+  // makes all time steps, and particles are anisotropic, without an array of radii. Requires that
+  // there is no VolumeControl, no AreaControl, no periodic box and no initial shape.
   bool CanShareSpace() const;
-  // Returns true if automatic noise and tension are not 0 over particles.
+  // Returns true if the automatic noise is not 0 over particles. The automatic tension also needs
+  // WeightedTension.
   bool SmoothsParticles() const
   {
     return this->Particles.Model != ParticleModel::Sum && this->UsesNodes();
@@ -160,7 +161,7 @@ struct SurfaceSettings
     return this->SmoothsParticles() && this->Parameters.WeightedTension &&
       this->Tension == Automatic;
   }
-  // Time at which the surface reaches its target; 0: no arrival.
+  // Time at which the surface reaches the target; 0: no arrival.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
   bool ArrivesAfter(MotionTime time) const
   {
@@ -262,9 +263,9 @@ constexpr PropertyRange Between(double low, double high, const char* words)
 #define ACTIVE_PROPERTY(name, field, range)                                                        \
   visit(Property{ #name, range }, field, [](auto& filter) { return filter.Get##name(); })
 
-// Calls visit(property, field, getter) for each property that determines the motion; the getter
-// returns the property's value from the filter. The filter's header declares the properties by
-// VTK's macros.
+// Calls visit(property, field, getter) for each property that determines the motion, except
+// functions and the clock; the getter returns the property's value from the filter. The filter's
+// header declares the properties by VTK's macros.
 template <class Settings, class Visitor>
 void ForEachProperty(Settings& settings, Visitor&& visit)
 {
@@ -287,7 +288,7 @@ void ForEachProperty(Settings& settings, Visitor&& visit)
   ACTIVE_PROPERTY(Anisotropy, particles.Anisotropy, Between(1.0, 100.0, "between 1 and 100"));
   ACTIVE_PROPERTY(ParticleKernel, particles.Kernel, Any);
   ACTIVE_PROPERTY(ParticleThreshold, particles.Threshold,
-    Between(Smallest, Largest, "a finite number > 0; at 0 or below, the inside has no limit"));
+    Between(Smallest, Largest, "a finite number > 0 (below 0 all space would be inside)"));
   ACTIVE_PROPERTY(PeriodicBounds, particles.Periodic, Any);
 
   ACTIVE_PROPERTY(

@@ -85,11 +85,11 @@ class SurfaceSimulation
 public:
   using FrameSource = std::function<std::shared_ptr<InputShape>(int step)>;
 
-  // Sets the listener for warnings and notes. The same message is reported once, and again after a
-  // change of the settings.
+  // Sets the listener for warnings and notes. Each reason (Warnings.h) is reported once, and again
+  // after a change of the settings.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
   void SetLimits(const SimulationLimits& limits);
-  // Resets everything if the settings have changed, unless they only append time steps.
+  // Resets everything if the settings have changed, unless the change only appends time steps.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
   bool HasBegun() const { return this->Path.HasBegun(); }
@@ -162,7 +162,7 @@ public:
   // finished substep.
   bool Advance(const FrameSource& frames, const ProgressFunction& progress);
 
-  // Discards the state, the checkpoints, the history and the frames.
+  // Discards the state, the checkpoints, the history and the frames, but not a loaded state.
   void Reset();
 
   // The surface after Advance has reached the requested time: this rank's part, or the whole
@@ -181,7 +181,8 @@ public:
   {
     return this->Whole ? this->Whole : this->Path.Share(this->Requested);
   }
-  // Returns true if the requested time is a step: a motion can resume from this state.
+  // Returns true if the requested time is a step, so that a motion can resume from this state.
+  // False with EvolutionMode EQUILIBRIUM.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Returns null if the surface is not at the requested time.
   const NarrowBand* FindSkin() const
@@ -284,8 +285,8 @@ private:
     return band && this->Shapes.GetBox().Any() ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
                                                : band;
   }
-  // Returns true if the fraction of the target outside the skin has not decreased. The
-  // fraction decreases while a skin approaches the target from another initial shape.
+  // Returns true if the fraction of the target outside the skin has not decreased since the row
+  // before. The fraction decreases while a skin approaches the target from another initial shape.
   bool Loses(std::size_t row, double outside) const
   {
     const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;

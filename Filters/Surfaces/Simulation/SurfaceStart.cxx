@@ -73,7 +73,7 @@ void CutAtObstacle(
   }
 }
 
-// Sets the flags of `function` even if the start evaluates no node.
+// Sets the flags of StartOn, isFinite and hasInside, even if the start evaluates no node.
 void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
 {
   for (int corner = 0; corner < 8; ++corner)

@@ -20,8 +20,8 @@ struct SurfaceStart
   PotentialTarget& Shape;
 };
 
-// Starts the band. Returns false if `progress` cancelled the start. Warns if the shape has no
-// surface. Throws like NarrowBand::Start.
+// Starts the band. Returns false if `progress` cancelled the start. Warns if there is no skin.
+// Throws like NarrowBand::Start.
 bool StartOn(NarrowBand& band, const SurfaceStart& start, Warnings& messages,
   const ProgressFunction& progress);
 

@@ -192,8 +192,8 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   this->Report("flaw of the target", this->PrepareShape(shape, options, where));
   if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
   {
-    this->Messages.Say(
-      "no particles in a box", "PeriodicBounds has no effect here: the target has no particles.");
+    this->Messages.Say("no particles in a box",
+      "PeriodicBounds has no effect here: the target has no particles; unset PeriodicBounds.");
   }
   this->WarnOfThinParts(shape, where);
 }
@@ -238,7 +238,7 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 }
 
 // Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if
-// automatic, a fraction of the spacing.
+// automatic, a fraction of the spacing. Returns 0 without the node scheme.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())

@@ -45,9 +45,9 @@ public:
   // Limits the distance grids of meshes added later to ten times this number of voxels.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
-  // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument, and
-  // does not store the frame, if the frame is of another kind than earlier frames or cannot be
-  // used.
+  // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument or
+  // std::runtime_error, and does not store the frame, if the frame is of another kind than earlier
+  // frames or cannot be used.
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
@@ -75,10 +75,10 @@ public:
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
   }
-  // Returns true if the node scheme can follow the target in these stored frames: all are
-  // particles, or images of labels with a label in one of them.
+  // Returns true if the node scheme can follow the target in these stored frames: frames with
+  // points are particles, or images of labels with a label in one of them.
   bool IsOnNodes(int first, int last) const;
-  // Returns true if the last image of the input was smoothed as a label.
+  // Returns true if the last frame with points is an image that was smoothed as a label.
   bool MayHaveLabels() const { return this->Kind->GetLabel() != nullptr; }
   // Returns the shortest side of the labels' pixels in these frames; 0 without labels.
   double FindLabelPixel(int first, int last) const;
@@ -110,7 +110,8 @@ public:
   {
     this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
   }
-  // Sets domain and spacing to those of a loaded state if the first frame is unavailable.
+  // Sets the domain, and a missing estimate of the spacing, to those of a loaded state. Call this
+  // if the first frame is unavailable.
   void SetDomain(const SurfaceDomain& domain, double spacing);
 
   // Number and spacing of the particles of a frame.

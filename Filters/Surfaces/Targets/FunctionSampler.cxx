@@ -148,7 +148,8 @@ double FunctionSampler::Node::SampleAt(const double x[3], double gradient[3]) co
   return this->ValueAt(x);
 }
 
-// Returns the value of the term that determines the result, and that term's gradient.
+// Returns the value of the vtkImplicitBoolean, and the gradient of the term that determines this
+// value.
 double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3]) const
 {
   const int operation = this->Boolean->GetOperationType();

@@ -3,8 +3,8 @@
 // Uses the function's own gradient if this is reliable, otherwise central differences. VTK's
 // vtkImplicitBoolean returns the gradient of a difference for a union and an intersection. A
 // vtkImplicitBoolean is therefore evaluated term by term, and the term that determines the value
-// provides the gradient. The sign of the gradient of a vtkImplicitBoolean may be wrong; its length
-// is correct.
+// provides the gradient. The sign of the gradient of a vtkImplicitBoolean may be wrong; the
+// gradient's length is correct.
 
 #ifndef FunctionSampler_h
 #define FunctionSampler_h
@@ -27,7 +27,8 @@ public:
     vtkImplicitFunction* function, double step, const std::array<double, 3>& origin = {});
   ~FunctionSampler();
 
-  // Returns true if the function is of a class that does not change when evaluated.
+  // Returns true if the function has no transform and does not change when evaluated; a
+  // vtkImplicitBoolean: if this is true of all terms.
   bool IsThreadSafe() const;
 
   // Evaluates the function at points (x y z each). gradients may be null.

@@ -1,4 +1,5 @@
-/** Functions for the vtkGridPotential of a mesh or an image, and for its surface and parts. */
+/** Reads a mesh or an image by a vtkGridPotential, and finds the shape's surface and connected
+ * parts. */
 
 #ifndef GridFunction_h
 #define GridFunction_h
@@ -40,7 +41,7 @@ bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
 void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
   const PartVisitor& visit, const std::array<double, 3>& origin = {});
 
-/** Returns points near the surface; none if unavailable or if the inside is unbounded. */
+/** Returns points near the surface; none if unavailable or if options.Invert. */
 SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options);
 
 }

@@ -29,7 +29,7 @@ public:
 
   /**
    * Returns the chosen values of an image, or its active scalars if none are chosen. Returns null
-   * for an image with an attached grid instead; throws for an image without both.
+   * for an image with an attached grid instead; throws for an image with neither.
    */
   virtual vtkAbstractArray* FindValues() const = 0;
 };

@@ -1,4 +1,4 @@
-// Images of labels as a target of the node scheme. Within half a pixel of a label's surface the
+// Images of labels as a target of the node scheme. Near a label's surface, within FindFreedom, the
 // skin is not attracted (NodeFreedom).
 
 #ifndef LabelTarget_h

@@ -22,7 +22,7 @@ public:
   const char* GetName() const override { return "a mesh"; }
   bool CanStart() const override { return true; }
 
-  /** A mesh without polygons consists of points only. */
+  /** A mesh without polygons may have points, without cells. */
   bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
 
   std::string Prepare(const TargetOptions& options, const Warnings& messages) override;

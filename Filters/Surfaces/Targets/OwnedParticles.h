@@ -1,8 +1,8 @@
 // Distributed particles of an input. Each rank owns some of the particles, its owned part.
 //
 // The owner of a particle follows from its id, or from its index in the whole input. A particle
-// therefore has the same owner in each time step, and the owner has the particle's positions in two
-// steps.
+// that is matched between two steps therefore has the same owner in these steps, and the owner has
+// both positions.
 
 #ifndef OwnedParticles_h
 #define OwnedParticles_h

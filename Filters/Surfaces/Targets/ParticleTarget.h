@@ -1,8 +1,8 @@
 // Moving particles as a target. F is either a sum of kernels, threshold - sum of strength *
 // kernel(distance / radius), or the potential of ellipsoids (ParticlePotential.h).
 //
-// Outside all supports F is constant with gradient zero. There the target attracts a skin with the
-// constant speed that applies at the distance Reach.
+// Outside all supports F is constant with gradient zero. There a target with Normalize attracts a
+// skin with the constant speed that applies at the distance Reach.
 
 #ifndef ParticleTarget_h
 #define ParticleTarget_h

@@ -48,8 +48,8 @@ public:
   vtkImplicitFunction* GetFunction(int step) const;
   const LabelFacts* GetLabel(int step) const;
 
-  // Returns the track from a step to the next one, if the next one is stored. Valid until a step is
-  // added.
+  // Returns the track from a step to the next one; without matches of these steps, a track that
+  // stays at the step. Valid until a step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
   // Returns the track from the step after `step` back to `step`, at the beginning of this track.
   ParticleTrack GetTrackBack(int step, const PeriodicBox& box) const;
