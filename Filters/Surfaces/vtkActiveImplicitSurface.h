@@ -3,7 +3,7 @@
  * @brief   a surface that follows a target through time and keeps its state
  *
  * The surface (skin) is the zero set of a potential phi, negative inside, stored on the lattice
- * nodes near it. The skin moves along its normal, splits and merges. Source: Desbrun and
+ * nodes near this set. The skin moves along its normal, splits and merges. Source: Desbrun and
  * Cani-Gascuel, Active Implicit Surface for Animation, Graphics Interface 1998.
  *
  * Normal speed, outward positive (paper, eq. (2) to (4), section 5; sign of the tension corrected):

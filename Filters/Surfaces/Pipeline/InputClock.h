@@ -1,4 +1,4 @@
-// Time steps of a filter: the steps of its target, or its own.
+// Time steps of a filter: the target's steps, or the filter's own.
 //
 // In situ, future steps of the target are unavailable. There are three cases:
 // - The target's list of time steps grows.

@@ -50,7 +50,7 @@ FloatArray MakeCurvatureOf(const SkinContext& skin)
   return MakeCurvature(skin.Simulation.GetBand());
 }
 
-// A point array, the property that requests it, and its inputs besides the band.
+// A point array: the property that requests the array, and the array's inputs besides the band.
 struct SkinArray
 {
   bool OutputProperties::*IsRequested;

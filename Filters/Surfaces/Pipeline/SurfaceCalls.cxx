@@ -1,4 +1,4 @@
-// Calls of a surface other than VTK's pipeline requests, and the check of its inputs.
+// Calls of the filter other than VTK's pipeline requests, and the check of the filter's inputs.
 
 #include "NarrowBand.h"
 #include "Pipeline/SurfaceRequests.h"

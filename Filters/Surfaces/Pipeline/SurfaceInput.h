@@ -1,4 +1,4 @@
-// Input port of a surface: its times, its shapes, and changes upstream.
+// Input port of a surface: time steps, shapes, and changes upstream.
 
 #ifndef SurfaceInput_h
 #define SurfaceInput_h

@@ -31,8 +31,7 @@ double FindDistance(double value, const double gradient[3])
 
 // Makes an obstacle whose distances are those of FindDistance for an implicit function. Where the
 // gradient vanishes or is not finite, the distance is infinite with the sign of F, or 0 if F is 0.
-// origin: origin of the obstacle's points. The function must not change during the obstacle's
-// lifetime.
+// origin: origin of the obstacle's points. The function must not change later.
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin)
 {
@@ -57,8 +56,8 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
-// Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
-// are repeated in the whole margin, so particles at the walls have all of their neighbours.
+// Distance of the walls from the sides of a periodic box, as a fraction of the box's margin.
+// Particles are repeated in the whole margin, so particles at the walls have all neighbours.
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
@@ -139,10 +138,9 @@ double MotionDriver::FindTensionAtStart(const Motion& motion) const
 }
 
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
-// as later frames. The duration of this step may be unknown yet. An automatic tension is
-// proportional to the attraction, so its effect does not depend on the duration. The effect of a
-// given Tension under automatic attraction depends on the duration, so this Tension is ignored
-// here over particles.
+// as later frames. This step's duration may be unknown yet. An automatic tension is proportional to
+// the attraction, so the tension's effect does not depend on the duration. With automatic
+// attraction, the effect of a given Tension does; over particles this Tension is ignored here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);

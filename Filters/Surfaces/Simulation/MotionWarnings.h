@@ -1,4 +1,4 @@
-// Warnings about a completed motion, and its event in the history.
+// Warnings about a completed motion, and the motion's event in the history.
 
 #ifndef MotionWarnings_h
 #define MotionWarnings_h

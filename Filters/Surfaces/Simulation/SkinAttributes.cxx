@@ -13,7 +13,8 @@ namespace activesurface
 namespace
 {
 
-// Returns true for the interval before the requested step, false for the interval after it.
+// Returns true if arrays use the interval before the requested step, false for the interval after
+// this step.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target)
 {
@@ -77,7 +78,7 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   int step = moves ? this->Time.Step : 0;
   if (this->Shapes.MayCarry() || this->Shapes.MayHaveLabels())
   {
-    // Uses the interval of the other arrays, independent of the stored frames.
+    // Uses the interval of the particles' arrays, whichever frames are stored.
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
   }
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;

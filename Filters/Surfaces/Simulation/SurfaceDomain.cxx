@@ -39,8 +39,8 @@ double FindVoxelSizeOfImages(double longest, double pixel)
   return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
-// Throws for a period of less than four voxels. A much shorter period contains no node, and its
-// copies of particles exhaust the memory.
+// Throws for a period of less than four voxels. A much shorter period contains no node, and the
+// periodic copies of the particles exhaust the memory.
 void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
 {
   constexpr double fewestVoxels = 4.0;

@@ -94,7 +94,7 @@ public:
   const SurfaceSettings& GetSettings() const { return this->Settings; }
   bool HasBegun() const { return this->Path.HasBegun(); }
   // Returns the times of a loaded state's history; the last time is that of the state. Empty
-  // without a loaded state, and after the surface has started from it.
+  // without a loaded state, and after the surface has started.
   std::vector<double> ListTimesToResume() const;
   // Returns true if a motion that has begun continues with these settings.
   bool IsContinuedBy(const SurfaceSettings& settings) const
@@ -111,7 +111,7 @@ public:
     return isNext && this->Settings.Inputs.WithdrawStep();
   }
 
-  // Sets the MTime of an input's pipeline without a restart, as its data have not changed.
+  // Sets the MTime of an input's pipeline without a restart, as the input's data have not changed.
   void SetTargetMTime(std::uint64_t time) { this->Settings.Inputs.TargetMTime = time; }
   void SetInitialMTime(std::uint64_t time) { this->Settings.Inputs.InitialMTime = time; }
 

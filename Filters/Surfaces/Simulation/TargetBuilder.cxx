@@ -25,7 +25,7 @@ constexpr double InitialReach = 8.0;
 // The band of the distance grid is wider than the skin's band, and has fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
-// The surface of static particles deviates by up to a quarter of their spacing.
+// Automatic TargetNoise / spacing: the surface of static particles deviates by up to this fraction.
 constexpr double NoiseOfSpacing = 0.25;
 
 }

@@ -134,7 +134,8 @@ public:
   // inverted target, returns the bounds of the domain. Not valid if there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
-  // Sets the initial shape from its input. Throws std::invalid_argument for an unusable shape.
+  // Sets the initial shape from the input of port 1. Throws std::invalid_argument for an unusable
+  // shape.
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
@@ -146,7 +147,8 @@ public:
   // Origin of the positions of all shapes, see SurfaceDomain.
   const std::array<double, 3>& GetOrigin() const { return this->Domain.Origin; }
 
-  // Returns true if the first frame is missing or empty, and there is no other initial shape.
+  // Returns true if the target is an input, its first frame is missing or empty, and there is no
+  // other initial shape.
   bool StartsOnNothing() const;
 
   // Makes a new target, at the frame of a step. Requires FindDomain; precedes GetTarget.

@@ -76,8 +76,8 @@ public:
   virtual std::string DescribeThinParts(const TargetOptions& options) const;
 
   /**
-   * Adds the box of this shape to `images` if it is an image, otherwise to `shapes`; see MakeDomain
-   * (SurfaceDomain.h) for their use.
+   * Adds the box of this shape to `images` if this shape is an image, otherwise to `shapes`; see
+   * MakeDomain (SurfaceDomain.h) for the use of both.
    */
   virtual void AddBounds(
     const TargetOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;

@@ -46,8 +46,8 @@ public:
   {
     return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
-  // Returns the own radius of the particles [voxels]. No particle fits between a wall and a surface
-  // nearer to the wall than this radius.
+  // Returns the own radius of the particles [voxels]. No particle fits into a gap between wall and
+  // surface that is narrower than this radius.
   float GetWallGap() const override
   {
     return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);
