@@ -555,7 +555,7 @@ public:
   ///@}
 
   ///@{
-  /** Speed [length/time] per missing fraction of area, with PENALTY. Range: >= 0. Default: 1. */
+  /** Speed [length/time] per missing fraction of area (PENALTY). Range: >= 0. Default: 1. */
   vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AreaStiffness, double);
   ///@}
@@ -650,8 +650,8 @@ public:
 
   ///@{
   /** Adds the point array "MeanCurvature" [1/length] to the skin: the sum of the principal
-   * curvatures. The sum is 2/r on a ball of radius r, negative where the skin is concave, and at
-   * most 4 per voxel. Does not restart the motion. Default: off. */
+   * curvatures. The sum is 2/r on a ball of radius r, negative where the skin is concave, and
+   * clamped to +-4 per voxel. Does not restart the motion. Default: off. */
   vtkSetMacro(ComputeCurvature, vtkTypeBool);
   vtkGetMacro(ComputeCurvature, vtkTypeBool);
   vtkBooleanMacro(ComputeCurvature, vtkTypeBool);
@@ -775,8 +775,8 @@ public:
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. The values are trilinear, with the correct sign everywhere: first-order distances
-   * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
+   * time. The values are trilinear, with the correct sign everywhere (on one process): first-order
+   * distances [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
    * always the same, with the new skin after each update. Before the first update and after an
    * error all space is outside. Each update restarts a surface that has this object as
    * TargetFunction: to follow a moving skin, connect the output port instead. */

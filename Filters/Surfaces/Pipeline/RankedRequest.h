@@ -18,8 +18,8 @@ namespace activesurface
 bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   const SurfaceSimulation& simulation, int port, PipelineTime time);
 
-// Runs a task. If memory runs out on any rank, calls startAnew() and throws std::runtime_error with
-// the given sentence.
+// Runs a task. After std::bad_alloc or RankMemoryError, calls startAnew() and throws
+// std::runtime_error with the given sentence.
 void RunWithinMemory(
   const std::function<void()>& task, const std::function<void()>& startAnew, const char* sentence);
 

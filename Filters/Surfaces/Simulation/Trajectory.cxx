@@ -103,7 +103,8 @@ void Checkpoints::SetLimits(int interval, std::size_t memory)
   this->MakeRoom();
 }
 
-// Uses the mean size of the parts of all ranks, so that all ranks remove the same states.
+// The size of a part is estimated as the mean of all ranks, so that all ranks remove the same
+// states.
 Checkpoints::Saved Checkpoints::Save(const NarrowBand& band)
 {
   constexpr std::size_t bytesPerNode = 6; // including the masks of its leaf
