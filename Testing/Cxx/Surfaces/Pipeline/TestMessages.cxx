@@ -287,10 +287,11 @@ TEST(TestMessages, StepsOfTheInputHaveToAscend)
   source->SetCloud(MovingBall);
   const std::string words = "The time steps of the input have to be finite and ascending, but ";
   source->SetSteps({ 0.0, 1.0, 0.5 });
-  Refuses(
-    MakeSkinOver(source), words + "number 2 is 0.5, after 1; check the TIME_STEPS of the source");
+  Refuses(MakeSkinOver(source),
+    words + "step 2 (counted from 0) is 0.5, after 1; check the TIME_STEPS of the source");
   source->SetSteps({ NaN, 1.0 });
-  Refuses(MakeSkinOver(source), words + "number 0 is nan; check the TIME_STEPS of the source");
+  Refuses(MakeSkinOver(source),
+    words + "step 0 (counted from 0) is nan; check the TIME_STEPS of the source");
 }
 
 TEST(TestMessages, InputThatFailsIsAnError)
