@@ -23,9 +23,8 @@ def make_surface():
         corners.InsertNextPoint(0.1 * i - 0.8, 0.4 * math.sin(angle), 0.25 * math.cos(angle))
     line = vtkLineSource()
     line.SetPoints(corners)
-    line.Update()
     tube = vtkSkeletonPotential()
-    tube.SetInput(line.GetOutput())
+    tube.SetInputConnection(line.GetOutputPort())
     tube.SetRadius(0.45)
     box = vtkSuperquadric()
     box.SetScale(0.75, 0.5, 0.5)
@@ -40,14 +39,12 @@ def make_surface():
     surface.SetTargetFunction(box)
     surface.SetAttraction(2)
     surface.SetTension(0.01)
-    surface.SetTimeStepSize(0.1)
-    surface.SetNumberOfTimeSteps(31)
+    surface.SetNumberOfTimeSteps(31)  # 0, 0.1 ... 3
     return surface
 
 
 def main():
-    folder = output_folder(__doc__)
-    surface = make_surface()
+    folder, surface = output_folder(__doc__), make_surface()
     volume = vtkMassProperties()
     frames = []
     for time in TIMES:

@@ -37,14 +37,12 @@ def make_surface():
     surface.SetTargetFunction(balls)
     surface.SetAttraction(2)
     surface.SetTension(0.01)
-    surface.SetTimeStepSize(0.1)
-    surface.SetNumberOfTimeSteps(31)
+    surface.SetNumberOfTimeSteps(31)  # 0, 0.1 ... 3
     return surface
 
 
 def main():
-    folder = output_folder(__doc__)
-    surface = make_surface()
+    folder, surface = output_folder(__doc__), make_surface()
     components = vtkPolyDataConnectivityFilter()
     components.SetExtractionModeToAllRegions()
     components.SetInputConnection(surface.GetOutputPort())

@@ -62,12 +62,16 @@ class Levels(unittest.TestCase):
         middle = distance.shape[0] // 2
         distance[middle, middle, middle] = numpy.nan
         distance[0, 0, 0] = numpy.inf
-        surface = vtkActiveImplicitSurface()
-        surface.SetInputData(0, image_of(distance))
-        heard = Listener(surface)
-        surface.UpdateTimeStep(0.0)
-        told = " ".join(" ".join(heard.warnings).split())
-        self.assertEqual(told.count(f"2 of its {distance.size} values are not finite"), 1, told)
+        for port, where in enumerate(("", " of input port 1")):
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputData(0, image_of(DISTANCE if port else distance))
+            if port:
+                surface.SetInputData(1, image_of(distance))
+            heard = Listener(surface)
+            surface.UpdateTimeStep(0.0)
+            told = " ".join(" ".join(heard.warnings).split())
+            wanted = f"{where}: 2 of its {distance.size} values are not finite"
+            self.assertEqual(told.count(wanted), 1, told)
 
     def test_what_is_below_zero_stays_inside(self):
         self.check(DISTANCE)

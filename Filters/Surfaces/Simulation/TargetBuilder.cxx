@@ -214,6 +214,7 @@ void TargetBuilder::PrepareInitial()
 {
   TargetOptions options = this->GetOptions();
   options.SmoothsLabels = false;
+  options.When = "of input port 1";
   options.MeshReach = InitialReach * this->Domain.VoxelSize;
   options.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
