@@ -56,7 +56,7 @@ except ImportError as error:
 if _HAS_IO:
     vtkActiveEXRReader.RegisterWithFactory()  # vtkImageReader2Factory then knows .exr
 
-# Modules of the functions, which need numpy, unlike the classes.
+# Modules of the Python functions and classes; unlike the VTK classes, these need numpy.
 _FUNCTIONS = {
     "ActiveSurfaceWarning": "messages",
     "Frame": "runner",

@@ -55,7 +55,7 @@ def skin(
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options override it.
+        Named set of property values; properties given as options override the preset.
     arrays : dict of arrays, optional
         Further point arrays; ``pass_target_arrays=True`` passes them to the skin.
     **options
@@ -64,12 +64,12 @@ def skin(
     Returns
     -------
     vtkPolyData
-        Closed triangles with normals; a pyvista.PolyData if the particles are PyVista's.
+        Closed surface of triangles with normals; a pyvista.PolyData if the particles are PyVista's.
 
     Raises
     ------
     ValueError
-        The filter reports an error; the text is the filter's message.
+        A value or an array does not fit, or the filter reports an error (the text is its message).
     TypeError
         Unknown keyword (the text names the closest one), or particles of a wrong type.
 
@@ -100,24 +100,24 @@ def skin(
 
 
 class frames(Skins):
-    """Iterator over the skins of a series of particles or images, each evolved from the previous.
+    """Iterator over the skins of a series of particles or images, each evolved from the last skin.
 
     Parameters
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
-        See ParticleSeries. Images are masks of a label, volume fractions (inside above 0.5) or
-        distances (inside below 0); for other images set ``target_iso_value`` and
-        ``invert_target``.
+        See ParticleSeries; a ParticleSeries has its own times, fps and where. Images are masks of a
+        label, volume fractions (inside above 0.5) or distances (inside below 0); for other images
+        set ``target_iso_value`` and ``invert_target``.
     times : sequence of float, optional
         See ParticleSeries [time].
     fps : float, optional
         See ParticleSeries [1/time].
     where : str or sequence of str, optional
-        All conditions must be met: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
+        Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
     minimum_piece : int
         Least number of particles of a cluster; smaller clusters get no skin. Default: 1.
     minimum_volume : float
-        Least volume of a cluster [length^3]; a particle has spacing^3. Default: 0.
+        Least volume of a cluster [length^3]; a particle counts as spacing^3. Default: 0.
     probe : float, optional
         Radius of a probe [length] that rolls over atoms (particles with radii). The skin is the
         solvent-excluded surface, for radius 0 the union of the atoms' balls. Water: 1.4 Angstrom.
@@ -128,25 +128,26 @@ class frames(Skins):
     output_fps : float, optional
         Skins per unit of time [1/time], also between frames. Default: a skin per frame.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options override it.
+        Named set of property values; properties given as options override the preset.
     arrays : dict of str, optional
         Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
         Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower
         case); for radii, with `probe` or the preset molecule or grains, the array "radius".
     progress : callable(int, int), optional
-        Called after each frame with the numbers of finished frames and of all frames.
+        Called after each skin with the numbers of finished skins and of all skins.
     **options
         Properties of vtkActiveImplicitSurface in snake case.
 
     Yields
     ------
     Frame
-        `time` and `skin`, a vtkPolyData (a pyvista.PolyData if the particles are PyVista's).
+        `time` and `skin`, a vtkPolyData (a pyvista.PolyData if `particles` is a list of PyVista's).
 
     Raises
     ------
     ValueError
-        The filter reports an error (the text is its message), or the times do not increase.
+        A value, a time or an array does not fit, no particle is selected, or the filter reports an
+        error (the text is its message).
     TypeError
         Unknown keyword (the text names the closest one), or particles of a wrong type.
     OSError
@@ -206,7 +207,7 @@ class frames(Skins):
             told = where if isinstance(where, str) else " and ".join(where)
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
-            raise ValueError(f"{told}{more}.")
+            raise ValueError(f"{told}{more}; select other particles.")
         if probe is not None:
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
             self.source, arrays = self._atoms.source, None
@@ -237,7 +238,7 @@ def configure(
     interval: float | None = None,
     **options: Any,
 ) -> None:
-    """Sets arrays and properties of a filter over a source of particles."""
+    """Sets arrays and properties of a filter over a source of particles or images."""
     options = properties.given(options)
     chosen = dict(arrays or {})
     unknown = set(chosen) - set(_ARRAYS)
@@ -251,7 +252,7 @@ def configure(
     if "ids" not in chosen:
         filled = [frame for frame in frames if frame.GetNumberOfPoints()]
         found = {usual_ids(frame) for frame in filled or [first]}
-        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": some frames lack them
+        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": names differ
     for role, name in chosen.items():
         if name:
             surface.SetInputArrayToProcess(_ARRAYS[role], 0, 0, _POINTS, name)
@@ -266,7 +267,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets the estimated spacing if none is given; warns if a given spacing does not fit."""
+    """Sets the spacing of a series if no length is given; warns of lengths that do not fit."""
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
@@ -288,14 +289,14 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
     if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
         return [
             f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so kernels reach "
-            f"few neighbours. If {radius:g} is the particles' own radius or spacing, give "
-            f"particle_spacing {own:g} in place of kernel_radius."
+            f"few neighbours. Increase kernel_radius; or, if {radius:g} is the particles' radius "
+            f"or spacing, give particle_spacing {own:g} in place of kernel_radius."
         ]
     return []
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
-    """Raises ValueError if the first frame lacks a chosen array, unless the frame is empty."""
+    """Raises ValueError if a first frame with points lacks a chosen array."""
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return
@@ -303,7 +304,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
     for role, name in chosen.items():
         if name and name not in names:
             there = ", ".join(map(repr, filter(None, names)))
-            others = f"there are {there}." if there else "they have none."
+            others = f"there are {there}." if there else "there are no arrays."
             text = f"The particles have no point array {name!r}, chosen for {role}; "
             raise ValueError(text + others)
 

@@ -123,7 +123,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
-    """Returns the periodic cell: three edges, and a flag for each periodic edge."""
+    """Returns the cell: three edges, a flag for each (1: periodic), and the origin, if given."""
     if "lattice" not in pairs:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
@@ -139,10 +139,10 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Adds atomic numbers, van der Waals radii, and elements as texts.
+    """Adds atomic numbers, van der Waals radii, and elements as texts, unless no symbol is known.
 
-    Symbols are elements, or atom names if `are_names` is true or a symbol is no element. `unit` is
-    the length of one Angstrom.
+    Symbols are elements, or atom names if `are_names` is true or by the rule of _elements_of.
+    `unit` is the length of one Angstrom.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
@@ -168,16 +168,16 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     if unknown:
         effect = "have the radius 0" if are_known else "have radii from their distances"
         warn(
-            f"{few(unknown)}: there is no such element; these atoms {effect}. "
-            "Write elements in the file."
+            f"{few(unknown)}: there is no element of this symbol and known radius; these atoms "
+            f"{effect}. Write elements in the file."
         )
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     """Returns the atomic number of each symbol, 0 if it is no element.
 
-    Symbols are read as atom names if one symbol is a name but no element (CB, OW), or if all are
-    the backbone of a protein: CA, C and N, or only CA.
+    Symbols are read as atom names if one symbol is a name but no element (CB, OW), or if the
+    symbols are only CA, or include CA, C and N: the backbone of a protein.
     """
     letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
@@ -273,7 +273,7 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
 
 
 def _edges_of(line: str) -> Frame:
-    """Reads the box of a .gro: sides, then off-diagonal entries; long numbers have no blanks."""
+    """Reads the box of a .gro: sides, then off-diagonal entries; blanks may be missing."""
     are_apart = all(cell.count(".") < 2 for cell in line.split())
     cells = [*map(float, line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line))]
     if len(cells) not in (3, 9):

@@ -1,4 +1,4 @@
-"""Selects the particles or cells of a skin: conditions on arrays, labels, size of pieces.
+"""Selects particles or polygons, or a label of an image: by conditions, labels, size of clusters.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice
@@ -34,7 +34,7 @@ _COMPARE = {
 }
 _MARK = "active_implicit_surfaces chosen"
 _LABEL_ARRAYS = ("label", "labels")
-_MOST_LABELS = 1000  # distinct values of an image of labels
+_MOST_LABELS = 1000  # largest number of distinct labels
 _MOST_LISTED = 20  # distinct values of an array in a message
 _LINK = 1.5  # largest distance of neighbours in a cluster, in spacings
 
@@ -99,8 +99,8 @@ def choose(
     polygons of which all points meet the condition. Texts are compared as text, numbers as numbers.
 
     A value that the array does not contain, such as a misspelt name, causes a warning. If the array
-    contains no value of a condition NAME=VALUE, an error is raised. If `note` is given, it is
-    called with the message instead of a warning or error.
+    contains none of the values of a condition NAME=A,B, an error is raised. In place of either,
+    `note`, if given, is called with the message.
 
     A label selects points by the array "label" or "labels". An image is set to 1 at the label and
     0 elsewhere.
@@ -132,7 +132,7 @@ def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None
     if sign in _COMPARE and not is_text:
         return _COMPARE[sign](values, numbers[0])
     if sign in _COMPARE or (not is_text and len(numbers) < len(wanted)):
-        kind = "texts, which are compared by = and != only" if is_text else "numbers"
+        kind = "texts, which are compared by = and != only" if is_text else "numbers, not texts"
         raise ValueError(f"The array {name!r} holds {kind}; {_describe_values(name, values)}.")
     others = numpy.array(wanted if is_text else numbers)
     found = numpy.isin(values, others)
@@ -209,9 +209,10 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 
 
 def labels_of(data: Any) -> list[int]:
-    """Returns the labels of an image's points or cells except 0, or those of a particle array.
+    """Returns the labels of an image except 0, or all labels of particles or a mesh.
 
-    Raises ValueError if a value is no integer, or there are more than a thousand labels.
+    Raises ValueError if there is no array of labels, a value is no integer, or more than a thousand
+    values differ.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
@@ -266,9 +267,9 @@ def _labels_in(data: Any) -> Any:
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
-    """Removes the particles of clusters of fewer than `minimum`.
+    """Removes the particles of clusters of fewer than `minimum` particles.
 
-    Neighbours in a cluster are at most 1.5 spacings apart.
+    Neighbours in a cluster are at most 1.5 spacings apart. Without a spacing, all particles stay.
     """
     from vtkmodules.vtkFiltersPoints import vtkEuclideanClusterExtraction
 

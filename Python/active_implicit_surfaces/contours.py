@@ -27,8 +27,8 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError without scalars of one component, or for too many voxels. Values that are not
-    finite have no surface, with a warning.
+    Raises ValueError without scalars of one component, or for too many voxels. Warns of values that
+    are not finite; these get no surface.
     """
     from . import vtkActiveImplicitSurface
 
@@ -70,9 +70,9 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 
 
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
-    """Returns one level for the images of a series, and True if inside is above the level.
+    """Returns one level for a series, and True if inside is above, by the rule of `usual_level`.
 
-    Raises ValueError if the images have several labels, or no values below 0.
+    Raises ValueError if the images have several labels, or by this rule no inside.
     """
     every = [_with_point_values(image) for image in images]
     border = numpy.concatenate([_at_border(*one) for one in every])
@@ -83,7 +83,9 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
     if above or not values.size or values[0] < 0:
         return level, above
     if len(labels) > 1:
-        raise ValueError(f"The image has the labels {few(labels, 20)}; choose one: --label.")
+        raise ValueError(
+            f"The image has the labels {few(labels, 20)}; choose one, --label of active-surface."
+        )
     if values[0] == values[-1]:
         raise ValueError(
             f"The image has no surface: all values are {values[0]:g}. Choose another label or file."
@@ -91,7 +93,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
     raise ValueError(
         f"The image has no inside: its values are from {values[0]:g} to {values[-1]:g}, none "
         f"below 0. "
-        "Give target_iso_value, the value at the surface, and invert_target if inside is above it."
+        "Give target_iso_value, the value at the surface; also invert_target if inside is above."
     )
 
 

@@ -1,4 +1,4 @@
-"""Converts particles and meshes of Python libraries to data objects of VTK, if possible uncopied.
+"""Converts particles and meshes of Python libraries to data objects of VTK.
 
 >>> import numpy
 >>> from active_implicit_surfaces import data_objects
@@ -47,7 +47,10 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
 
 
 def finite_points(cloud: Any) -> Any:
-    """Removes points whose coordinates are not finite; the filter ignores such points too."""
+    """Returns only the points with finite coordinates; without arrays, if points are removed.
+
+    The filter ignores points whose coordinates are not finite.
+    """
     if cloud.GetNumberOfPoints() == 0:
         return cloud
     points = vtk_to_numpy(cloud.GetPoints().GetData())
@@ -69,10 +72,12 @@ STANDARD_NAMES = {
 
 
 def as_shape(shape: Any) -> Any:
-    """Converts a mesh or image to the filter's input: vtkPolyData with polygons, or vtkImageData.
+    """Returns a mesh or image as a vtkPolyData with polygons or lines, or as a vtkImageData.
 
-    `shape` is a vtkPolyData, vtkImageData or vtkUnstructuredGrid, or an object with `vertices` and
-    `faces` (as trimesh's), or with `points` and `cells` (as meshio's).
+    `shape` is a vtkPointSet or vtkImageData, or an object with `vertices` and `faces` (as
+    trimesh's), or with `points` and `cells` (as meshio's).
+
+    Raises ValueError if there are no polygons and lines; TypeError for another object.
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape
@@ -108,21 +113,22 @@ def copy_of(data: Any) -> Any:
 
 
 def like(example: Any, skin: Any) -> Any:
-    """Returns the skin as a pyvista.PolyData if `example` is of PyVista, else unchanged."""
+    """Returns the skin as a pyvista.PolyData if `example` is of PyVista, else the skin itself."""
     if type(example).__module__.partition(".")[0] == "pyvista":
         return sys.modules["pyvista"].wrap(skin)
     return skin
 
 
 def is_vtk(thing: Any) -> bool:
-    """Returns True for an object of a VTK class or of a class derived from one."""
+    """Returns True for a VTK object. Raises TypeError for an object of another copy of VTK."""
     if isinstance(thing, vtkObjectBase):
         return True
     if hasattr(thing, "IsA") and hasattr(thing, "GetClassName"):
         raise TypeError(
             f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
-            f"the package {vtk_build.PACKAGE}. If PyVista made it, set the environment variable "
-            "PYVISTA_VTK_BACKEND (vtk or cvista) before PyVista is imported."
+            f"the package {vtk_build.PACKAGE}; use classes of that package. For PyVista, set the "
+            "environment variable PYVISTA_VTK_BACKEND (vtk for vtkmodules, else cvista) before "
+            "PyVista is imported."
         )
     return False
 
@@ -132,7 +138,7 @@ def _is_vtk(thing: Any, name: str) -> bool:
 
 
 def _points_of(particles: Any) -> tuple[Any, Any]:
-    """Returns the particles' vtkPoints, and the point arrays of a VTK object."""
+    """Returns the particles' vtkPoints, and the point arrays of a VTK object, else None."""
     if is_vtk(particles):
         if not particles.IsA("vtkPointSet"):
             raise TypeError(
@@ -186,7 +192,7 @@ def points_of(data: Any) -> Any:
 
 
 def _without_mask(values: Any) -> Any:
-    """Replaces masked numbers by NaN; the filter ignores such particles."""
+    """Replaces masked numbers by NaN; the filter ignores particles with NaN coordinates."""
     if not isinstance(values, numpy.ma.MaskedArray):
         return values
     kind = values.dtype if values.dtype.kind == "f" else float
@@ -202,12 +208,12 @@ def _point_data(particles: Any) -> Mapping[str, Any]:
 
 
 def has_polygons(data: Any) -> bool:
-    """Returns True for a surface: data with polygons, not only points or lines."""
+    """Returns True for a vtkPolyData with polygons or strips."""
     return bool(data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
 
 
 def blocks_of(data: Any) -> Iterator[Any]:
-    """Returns the data sets in the blocks of a composite data set, at any depth."""
+    """Yields the data sets in the blocks of a composite data set, at any depth."""
     blocks = data.NewIterator()
     while not blocks.IsDoneWithTraversal():
         yield blocks.GetCurrentDataObject()
@@ -220,7 +226,7 @@ def array_names(attributes: Any) -> list[str]:
 
 
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
-    """Adds an array to the points, or to `attributes`; numbers share their memory.
+    """Adds an array to the points, or to `attributes`; shares the memory of numbers if possible.
 
     Texts become a vtkStringArray.
     """
@@ -231,7 +237,7 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
     if numbers.dtype == bool:
         numbers = numbers.astype("u1")
     if numbers.dtype.kind not in "iuf" and not is_text:
-        raise TypeError(f'The array "{name}" holds neither numbers nor texts.')
+        raise TypeError(f'The array "{name}" has neither numbers nor one text a row; leave it out.')
     if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
         numbers = numbers.astype("f4")
     is_of_points = attributes is None
@@ -240,7 +246,7 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
     ):
         raise ValueError(
             f'The array "{name}" has the shape {numbers.shape}; there are '
-            f"{cloud.GetNumberOfPoints()} particles, and each needs one row."
+            f"{cloud.GetNumberOfPoints()} particles, and each needs one row: (n,) or (n, k)."
         )
     array = _string_array(numbers) if is_text else numpy_to_vtk(numbers)
     array.SetName(name)
@@ -281,18 +287,18 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
     for rows in kinds:
         faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
         if faces.ndim != 2:
-            raise ValueError(f"Faces are rows of point numbers, not an array of {faces.shape}.")
+            raise ValueError(f"Faces are rows of point numbers, not of shape {faces.shape}.")
         start = offsets[-1][-1]
         offsets.append(start + faces.shape[1] * numpy.arange(1, len(faces) + 1))
         numbers.append(faces.ravel())
     if not numbers:
-        raise ValueError("The mesh has no triangles, quads or polygons.")
+        raise ValueError("The mesh has no triangles, quads or polygons; give a surface mesh.")
     mesh.SetPolys(cell_array(numpy.concatenate(offsets), numpy.concatenate(numbers)))
     return mesh
 
 
 def usual_ids(cloud: Any) -> str:
-    """Returns the name of an array with a usual name for ids; "" if there is none."""
+    """Returns the usual name of ids, such as "id", if a point array has it; else ""."""
     if not hasattr(cloud, "GetPointData"):
         return ""
     arrays = cloud.GetPointData()

@@ -54,7 +54,7 @@ def _start_server() -> str:
     number = server.stdout.readline().decode().strip()
     if not number.isdigit():
         server.terminate()
-        raise OSError("Pictures need an X display: DISPLAY is not set, and Xvfb does not start.")
+        raise OSError("Pictures need an X display: set DISPLAY, because Xvfb does not start.")
     return number
 
 

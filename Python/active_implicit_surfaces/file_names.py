@@ -32,7 +32,7 @@ _ROUNDING = 1e-12  # tolerance of equal times, relative to the index's largest t
 
 
 class Listing(NamedTuple):
-    """Files (parts) of each frame; times of an index; a note on repeated entries."""
+    """Files (parts) of each frame; times of an index; a warning about the names, or ""."""
 
     frames: list[tuple[Path, ...]]
     times: list[float] | None = None
@@ -55,7 +55,7 @@ def _value(text: str) -> float:
 
 
 def _numbers_in(names: list[str]) -> re.Pattern[str]:
-    """Finds the numbers in the names of a series.
+    """Returns a pattern that finds the numbers in the names of a series.
 
     A minus after a letter is a sign if another name has a digit at its place (t-1, t0), else a
     hyphen (run-1, run-2). A dot separates two counters if the numbers cannot be decimals (1.9,
@@ -85,10 +85,11 @@ def suffix_of(name: str | Path) -> str:
 
 
 def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:
-    """Expands names, patterns, folders and indices to files. Only the name of a file may be a
-    pattern. A folder stands for its files with `known` extensions.
+    """Expands names, patterns, folders or one index to files. Only the name of a file may be a
+    pattern. A folder stands for its series of files with `known` extensions.
 
-    Raises OSError if a file is missing, a pattern fits none, or an index cannot be read.
+    Raises OSError if a file is missing, a pattern fits none, a folder has not one series, or an
+    index cannot be read.
     """
     several = [names] if isinstance(names, (str, Path)) else names
     given = [Path(name).expanduser() for name in several]
@@ -203,7 +204,7 @@ def read_index(index: Path) -> Listing:
     note = left_out and (
         f"{index} lists several files for one time, as after a restart; the last file is used, and "
         f"{len(left_out)} file(s), such as {left_out[0]}, are left out. If the files are parts of "
-        "one frame, number the parts with part=."
+        "one frame, number the parts with part= in a .pvd."
     )
     return Listing(parts, times, note or "")
 
@@ -231,7 +232,7 @@ def _read_series(text: str) -> list[tuple[float, str, str]]:
 
 
 def write_index(index: Path, files: Sequence[Path], times: Sequence[float]) -> None:
-    """Writes a .pvd or a .series, atomically; the files are in the folder of the index."""
+    """Writes a .pvd or a .series, atomically, with paths relative to the index's folder."""
     names = [os.path.relpath(file, index.parent) for file in files]
     with replacing(index) as temporary:
         text = _pvd(names, times) if suffix_of(index) == ".pvd" else _series(names, times)
@@ -258,7 +259,10 @@ def has_number(name: str | Path) -> bool:
 
 
 def numbered(name: str | Path, number: int) -> Path:
-    """Returns the name of a frame: #### is replaced by its number with at least as many digits."""
+    """Returns the name of a frame, with the number for ####, of at least as many digits.
+
+    Without #### the number is appended: skin_0007.ply.
+    """
     path = Path(name)
     mark = _NUMBER.search(path.name)
     if mark is None:
@@ -273,7 +277,10 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
 
 
 def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
-    """Returns the name for a label; the label replaces the first #### not needed for frames."""
+    """Returns the name for a label, which replaces a #### that frames do not need.
+
+    Without such a #### the label is added if there are several labels.
+    """
     path = Path(name)
     marks = list(_NUMBER.finditer(path.name))
     if len(marks) > is_series:
@@ -293,14 +300,14 @@ def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
-    """Returns frame numbers: the integers in which the names differ, else 0, 1, 2 ..."""
+    """Returns the integers in which the names differ, if the integers increase; else 0, 1, 2 ..."""
     numbers = running_numbers(files)
     whole = [number for number in numbers if isinstance(number, int)]
     return whole if len(whole) == len(numbers) else list(range(len(files)))
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """Returns the numbers in which the names differ, if they increase; else 0, 1, 2 ..."""
+    """Returns the numbers in which the names differ, if the numbers increase; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
@@ -321,7 +328,7 @@ def check_distinct(inputs: Iterable[Path], outputs: Iterable[Path]) -> None:
 
 
 def without_number(name: str | Path) -> Path:
-    """Returns the name without placeholder: skin.vtp for skin_####.vtp."""
+    """Returns the name without placeholder: skin.vtp for skin_####.vtp, also for ####.vtp."""
     path = Path(name)
     stem = _NUMBER.sub("", path.stem).strip("._- ")
     return path.with_name((stem or "skin") + path.suffix)

@@ -23,7 +23,7 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 
 def check_film(path: Path) -> None:
-    """Raises ValueError or OSError if such a film cannot be made here."""
+    """Raises ValueError, OSError or ImportError if a film of this name cannot be made here."""
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:
         raise ValueError(f"{path}: films are written as {', '.join(FILM_SUFFIXES)}.")
@@ -88,7 +88,7 @@ class Film(Sink):
     def _write_exr(self, path: Path, step: int) -> None:
         from . import render, vtkActiveEXRWriter
 
-        # Interval to the next frame; for the last frame, that from the frame before.
+        # Interval to the next frame; for the last frame, the interval before it.
         way = self.times[min(step, len(self.times) - 2) :][:2]
         writer = vtkActiveEXRWriter()
         writer.SetFramesPerSecond(self.fps)

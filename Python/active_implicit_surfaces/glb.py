@@ -41,7 +41,8 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
     Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
-    floats; if scalars and vectors occur together, vectors become _NAME_X, _NAME_Y, _NAME_Z.
+    floats. If arrays differ in width, vectors are split: _NAME_X, _NAME_Y ...; if wider than 4,
+    _NAME_0 ...
     Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
     glTF. If single precision is too coarse, vertices are relative to an origin, which is the node's
     translation.
@@ -110,7 +111,7 @@ def _attribute_of(name: str, taken: dict[str, Any]) -> str:
 
 
 def _split(name: str, values: Any, are_mixed: bool) -> dict[str, Any]:
-    """Splits an array of more than four components, or of mixed widths, into one per component.
+    """Splits a vector array into components if it has more than four, or widths are mixed.
 
     Blender's importer (5.0) mixes up custom attributes of different widths, and fails.
     """
@@ -198,7 +199,9 @@ def check_glb(path: Path) -> tuple[bool, bool, Any]:
         origin = nodes[0].get("extras", {}).get("origin") if is_own and nodes else None
         return is_own, bool(content.get("meshes")), origin and numpy.array(origin, float)
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
-        raise OSError(f"{path} cannot be read: it is damaged, or no binary glTF 2.0.") from error
+        raise OSError(
+            f"{path} cannot be read: it is no valid .glb (glTF 2.0); write it again."
+        ) from error
 
 
 def _check_views(content: Any, size: int) -> None:

@@ -69,7 +69,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
         Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
         EulerCharacteristic, Outside. Default: Volume, Area, Components.
     axes : matplotlib axes, optional
-        Axes for each column. Default: a new figure of matplotlib.
+        One for each column. Default: a new figure of matplotlib.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     ImportError
         No axes are given, and matplotlib is not installed.
     ValueError
-        There is no such column, or no history.
+        There is no such column, no history, or not one of `axes` for each column.
     """
     held = history(surface)
     if unknown := [name for name in columns if name not in held]:

@@ -29,7 +29,7 @@ _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGz
 
 
 def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
-    """Reads an image of any of these formats except .vti; `update` returns a reader's output.
+    """Reads a file of IMAGE_SUFFIXES other than .vti; `update` returns a reader's output.
 
     Raises OSError if the file is damaged.
     """
@@ -60,7 +60,7 @@ def _check_size(reader: Any, size: int) -> None:
     width = vtkDataArray.GetDataTypeSize(reader.GetDataScalarType())
     needed = count * width * reader.GetNumberOfScalarComponents()
     if not 0 < needed <= size:
-        raise ValueError(f"it is damaged; it has {size} of {needed} bytes of values")
+        raise ValueError(f"it has {size} of {needed} bytes of values; write it again")
 
 
 def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
@@ -143,10 +143,13 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     image.SetOrigin(*origin)
     lengths = numpy.linalg.norm(axes, axis=1, keepdims=True)
     axes = axes / numpy.where(lengths > 0, lengths, 1)
-    order = abs(axes).argmax(axis=1)  # among the axes of space
+    order = abs(axes).argmax(axis=1)  # axis of space nearest to each axis of the image
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
-        warn(f"{path}: the image is rotated by other than right angles; the rotation is ignored.")
+        warn(
+            f"{path}: the image is rotated by other than right angles; the rotation is ignored. "
+            "Resample the image along the axes."
+        )
     elif (order != (0, 1, 2)).any() or (signs < 0).any():
         _move_rows(image, order.tolist(), signs)
     return image

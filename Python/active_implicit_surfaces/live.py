@@ -15,10 +15,10 @@ from .series import TemporalSource
 
 
 class LiveSurface:
-    """Skin over a running simulation: `advance` passes the particles of a frame, returns its skin.
+    """Skin over a running simulation: `advance` takes a frame's particles and returns their skin.
 
-    A call costs one frame, whatever the number of earlier frames. The skins are bitwise identical
-    to those that `frames` makes of the finished series.
+    A call costs one frame, whatever the number of earlier frames. With `particle_spacing` and
+    without a preset, the skins are bitwise those of `frames` over the finished series.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ class LiveSurface:
     ----------
     surface : vtkActiveImplicitSurface
     time : float or None
-        Time of the last skin; None before the first one.
+        Time of the last skin; None before the first skin.
 
     Examples
     --------
@@ -74,13 +74,14 @@ class LiveSurface:
             See `skin`. The filter does not copy arrays: do not change them before the next call.
         dt : float
             Time since the last call [time], more than 0. The first call is at `start`, or at the
-            time of `resume`.
+            time of `resume`, whatever its dt.
         **arrays
             Point arrays: ``ids=``, ``velocities=``, or any name.
 
         Returns
         -------
         vtkPolyData
+            A pyvista.PolyData if the particles are PyVista's.
 
         Raises
         ------

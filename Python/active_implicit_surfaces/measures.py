@@ -1,4 +1,4 @@
-"""Area, volume, pieces and open edges of a mesh.
+"""Area, volume, pieces, voids and open edges of a mesh.
 
 >>> from vtkmodules.vtkFiltersSources import vtkCubeSource
 >>> from active_implicit_surfaces.measures import measure
@@ -20,10 +20,11 @@ from .mesh_writers import polygons_of
 
 
 def measure(mesh: Any) -> dict[str, Any]:
-    """Measures a vtkPolyData; coincident points are merged.
+    """Measures the polygons of a vtkPolyData; coincident points are merged.
 
-    Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; pieces, the
-    number of connected surfaces of positive volume; voids, of negative volume; open edges.
+    Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; numbers of
+    pieces (connected surfaces of positive volume), voids (of negative volume) and open edges (of
+    one polygon).
     """
     places, numbers = numpy.unique(points_of(mesh), axis=0, return_inverse=True)
     places, fans = places.astype(float), [numpy.zeros((0, 3), int)]

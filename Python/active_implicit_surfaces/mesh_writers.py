@@ -33,9 +33,9 @@ _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 
 
 def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
-    """Returns normals and colours (0 to 255), each or None, and other numeric point arrays by name.
+    """Returns normals, colours (0 to 255), and the other numeric point arrays by name.
 
-    Colours are the first array of bytes with 3 or 4 components.
+    Colours are the first array of bytes with 3 or 4 components. Missing normals or colours: None.
     """
     roles, others = dict[str, Any](), dict[str, Any]()
     for role, name, array in _point_arrays(data):
@@ -46,7 +46,7 @@ def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
 
 
 def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
-    """Yields role, name and values of each point array."""
+    """Returns role, name and array of each point array."""
     own, found = data.GetPointData(), list[tuple[str, str, Any]]()
     for i in range(own.GetNumberOfArrays()):
         array, role = own.GetAbstractArray(i), "numbers"
@@ -89,7 +89,7 @@ def origin_for_floats(mesh: Any) -> Any:
 
 
 def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
-    """Warns if rounding points minus `origin` to single precision moves them visibly."""
+    """Warns if rounding points minus `origin` to single precision moves points visibly."""
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         warn(
@@ -113,7 +113,7 @@ def warn_of_coarse(path: Path, mesh: Any) -> None:
 
 
 def edge_of(mesh: Any) -> float:
-    """Returns the usual length of an edge; infinite without polygons."""
+    """Returns the median length of the polygons' first edges; infinite without polygons."""
     points = points_of(mesh)
     ends = [points[corners[:, :2]].astype(float) for corners in polygons_of(mesh)]
     lengths = [numpy.linalg.norm(end[:, 1] - end[:, 0], axis=1) for end in ends]
@@ -125,7 +125,7 @@ def _rounding(points: Any) -> float:
 
 
 def write_ply(path: Path, mesh: Any) -> None:
-    """Writes points, polygons and point arrays; vectors become name_x, name_y ...
+    """Writes points, polygons and numeric point arrays; vectors become name_x, name_y ...
 
     Normals are nx, ny and nz, colours red, green, blue and alpha.
     """

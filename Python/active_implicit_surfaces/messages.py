@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 
 
 class ActiveSurfaceWarning(UserWarning):
-    """Warning of the filter or of a reader; the text is its message."""
+    """Warning of the filter or of a function of this package."""
 
 
 class Messages:
@@ -23,7 +23,7 @@ class Messages:
         self.warnings: list[str] = []
 
     def raise_error(self, kind: type[Exception]) -> None:
-        """Raises the first error, if any."""
+        """Raises the first error text, if any, as an exception of `kind`."""
         if self.errors:
             raise kind(self.errors[0])
 
@@ -42,7 +42,7 @@ def listening(*algorithms: Any) -> Iterator[Messages]:
         for event, said in (("ErrorEvent", heard.errors), ("WarningEvent", heard.warnings)):
             observers.append((algorithm, algorithm.AddObserver(event, _collector(said))))
         if hasattr(algorithm, "GetExecutive"):
-            # Errors of the executive add nothing.
+            # Errors of the executive only report that the algorithm failed.
             executive = algorithm.GetExecutive()
             observers.append((executive, executive.AddObserver("ErrorEvent", lambda *_: None)))
     try:
@@ -83,7 +83,7 @@ def few(words: Iterable[Any], most: int = 8) -> str:
 
 
 def warn(*messages: str) -> None:
-    """Issues warnings of the filter as Python warnings."""
+    """Issues each text as an ActiveSurfaceWarning."""
     for text in messages:
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=3)
 

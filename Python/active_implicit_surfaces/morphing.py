@@ -100,9 +100,9 @@ class morph(Skins):
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
         for name in _OF_DURATION & set(options):
-            raise TypeError(f"{name} follows from duration and frames; give duration only.")
+            raise TypeError(f"{name} follows from duration and frames; leave {name} out.")
         if int(frames) != frames or frames < 2:
-            raise ValueError(f"frames have to be 2 or more, not {frames}.")
+            raise ValueError(f"frames has to be a whole number of 2 or more, not {frames}.")
         if fit not in FITS:
             raise ValueError(f"fit is one of {', '.join(FITS)}, not {fit!r}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]
@@ -139,7 +139,9 @@ class morph(Skins):
             )
         if _is_function(first) or _is_function(last):
             if fit != "none":
-                raise TypeError("fit needs two meshes or images: a function has no box.")
+                raise TypeError(
+                    "fit needs two meshes or images: a function has no box; leave fit out."
+                )
         else:
             last = _fitted(last, first, fit)
             if said := _describe_difference(first, last):
@@ -183,7 +185,7 @@ def _describe_difference(first: Any, last: Any) -> str:
         return ""
     return (
         f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
-        f"{apart:g} apart. If the shapes differ in unit or place, fit the last one to the first: "
+        f"{apart:g} apart. If the shapes differ in unit or place, fit the last shape to the first: "
         "--fit box (size and place), or --fit centre (place)."
     )
 

@@ -1,4 +1,4 @@
-"""Applies the presets of `active-surface --preset` in ParaView's Python and macros.
+"""Applies the presets of `active-surface skin --preset` in ParaView's Python and macros.
 
 >>> from active_implicit_surfaces.presets import PRESETS
 >>> sorted(PRESETS)

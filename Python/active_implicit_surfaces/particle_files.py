@@ -53,10 +53,10 @@ PARTICLE_SUFFIXES = tuple(
 )
 TARGET_SUFFIXES = (*PARTICLE_SUFFIXES, *IMAGE_SUFFIXES)
 
-# Exceptions of zipfile for damaged archives; its NotImplementedError is a RuntimeError.
+# Exceptions of zipfile for damaged archives. NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
-_ABOUT_MESHES = " The commands convert and morph use its surface."
+_ABOUT_MESHES = " The commands convert and morph use the mesh's surface."
 
 
 class ParticleFiles:
@@ -90,8 +90,8 @@ class ParticleFiles:
     def load(self, step: int) -> Any:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
-        Raises OSError if the file cannot be read, or has no particles; ValueError if an array or a
-        value of a condition does not exist.
+        Raises OSError if the file cannot be read, or its data have no points; ValueError if the
+        array of a condition is missing, or, for a single frame, all values of the condition.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
@@ -115,10 +115,11 @@ def open_particles(
     where: str | Sequence[str] = (),
     label: int | None = None,
 ) -> ParticleFiles:
-    """Opens files of particles as frames; names may be patterns, folders and indices.
+    """Opens files of particles or images as frames; names may be patterns, folders and indices.
 
     Particles may be selected (see `choice`). Times follow from `times`, else from `fps`, else from
-    the index or the files, else from 25 frames per second. Gaps in file numbers are gaps in time.
+    the index or the files, else from 25 frames per second. With frames per second, gaps in file
+    numbers are gaps in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
@@ -133,7 +134,7 @@ def open_particles(
     if times is not None:
         if len(times) != len(loaders):
             raise ValueError(
-                f"There are {len(times)} times for {len(loaders)} frames; give one for each frame."
+                f"There are {len(times)} times for {len(loaders)} frames; give one time for each."
             )
         told = list(times)
     elif fps is not None or told is None:
@@ -168,8 +169,8 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
             )
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
             raise OSError(
-                f"{parts[0]} is one of several parts of a frame, and some parts are images; only "
-                "particles can be in several parts."
+                f"{parts[0]} is one of several parts of a frame, and some parts are images; write "
+                "each image as one file: only particles can be in several parts."
             )
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 
@@ -207,7 +208,7 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
     steps = list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
     if len(steps) < 2:
         return [lambda: _points_of(path, update(reader, path), noted)], None
-    # Steps 0, 1, 2, ... are numbers that the reader has assigned, not times of the file.
+    # Steps 0, 1, 2 ... count as numbers assigned by the reader, not as times of the file.
     counted = steps == [float(i) for i in range(len(steps))]
     loaders = [_step_loader(path, reader, time, noted) for time in steps]
     return loaders, None if counted else steps
@@ -240,7 +241,9 @@ def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
         said_first = str(error).partition("\n")[0].rstrip(".")
         raise OSError(f"{path} cannot be read as particles: {said_first}.") from error
     except _DAMAGE_OF_ARCHIVES as error:
-        raise OSError(f"{path} cannot be read as particles: it is damaged.") from error
+        raise OSError(
+            f"{path} cannot be read as particles: it is damaged or encrypted; write it again."
+        ) from error
 
 
 def _maker(path: Path, frame: Frame | Callable[[], Frame], noted: set[str]) -> Any:
@@ -284,7 +287,7 @@ def _append(clouds: list[Any]) -> Any:
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """Returns the times stored in the files, if every file has a time and the times increase."""
+    """Returns the times in the files; None unless each file has a time and the times increase."""
     readers = {
         **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
         ".vdb": _time_of_vdb,

@@ -24,13 +24,13 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     if any(numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size for box in boxes):
         raise ValueError(
             f"The periodic box changes, from {_text(boxes[0])} to {_text(boxes[-1])}; the filter "
-            "needs one box for all frames. Give a box for all frames as periodic_bounds."
+            "needs one box. Give periodic_bounds, for all frames, in place of periodic."
         )
     return boxes[0]
 
 
 def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
-    """Adds the box of a TemporalSource to the options; ValueError if these have a box."""
+    """Returns the options with the box of the source; ValueError if periodic_bounds are given."""
     if "periodic_bounds" in options:
         raise ValueError("Give either periodic or periodic_bounds.")
     return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}
@@ -46,8 +46,8 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
     if "Lattice" not in known:
         raise ValueError(
-            "The particles have no box (files .xyz, .dump, .gro and .pdb may have one); give a box "
-            "as periodic_bounds."
+            "The particles have no box (files .xyz, .dump, .gro and .pdb may have one); give "
+            "periodic_bounds in place of periodic."
         )
     edges = known["Lattice"].reshape(3, 3)
     sides = numpy.diag(edges)

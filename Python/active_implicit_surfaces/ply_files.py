@@ -66,10 +66,8 @@ def read_ply(path: Path) -> Any:
             found.setdefault(element.name, columns)
         return _mesh_of(path, found)
     except (ValueError, KeyError, IndexError, OverflowError) as error:
-        what = str(error) if isinstance(error, _DamageError) else "its header is damaged"
-        raise OSError(
-            f"{path} cannot be read: {what}, or it is not what its extension says."
-        ) from error
+        what = str(error) if isinstance(error, _DamageError) else "its header is no .ply header"
+        raise OSError(f"{path} cannot be read: {what}; write the file again, as a .ply.") from error
 
 
 def _read_header(content: bytes) -> tuple[str, list[_Element], int]:
@@ -102,15 +100,13 @@ def _doubles_of(text: bytes) -> bytes:
     try:
         return numpy.array(text.split(), dtype="<f8").tobytes()
     except ValueError:
-        raise _DamageError(
-            "it is damaged: a row has a value that is no number; write it again"
-        ) from None
+        raise _DamageError("it is damaged: a row has a value that is no number") from None
 
 
 def _read_element(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
-    """Returns the columns of an element, and its end. Fast if all lists have the same length."""
+    """Returns the columns of an element, and the offset of its end; fast for equal lists."""
     if element.rows == 0:
         return {}, start
     first, _ = _read_row(content, start, order, element)
@@ -186,7 +182,7 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     _add_arrays(mesh, mesh.GetPointData(), arrays)
     _add_arrays(mesh, mesh.GetCellData(), {n: own for n, own in faces.items() if _is_number(own)})
     if lost := [name for name, own in faces.items() if not _is_number(own)]:
-        warn(f"{path}: properties of polygons are left out: {', '.join(lost)}.")
+        warn(f"{path}: list properties of polygons are left out: {', '.join(lost)}.")
     return mesh
 
 

@@ -22,15 +22,15 @@ PRESETS = {
     "grains": "for sand and beads that roll and pile: separate balls; radii by --radii",
     "paper": "the published scheme (kernels), for comparison: each particle is visible",
 }
-# The kernel WYVILL, (1 - q^2)^3, has this level at q = 0.7947. With kernels little larger than the
-# atoms, touching atoms merge only near their contact.
+# The kernel WYVILL, (1 - q^2)^3, has the value ATOM_LEVEL at q = 0.7947. With kernels little larger
+# than the atoms, touching atoms merge only near their contact.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _RADII = 0  # index of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are searched
 _NEIGHBOURS = 3
 _VOXELS_OF_GRAIN = 3.0  # voxels per radius: the volume of 1,000 touching grains is exact to 3 %
-_COARSE = 0.1  # largest grid step of positions, in spacings
-_STEPS = 6.0  # distances fall by e^6 per step, as by the filter's default
+_COARSE = 0.1  # largest step between single-precision positions, in particle spacings
+_STEPS = 6.0  # distances fall by e^6 per frame, as by the automatic Attraction
 
 
 def apply_preset(
@@ -53,9 +53,9 @@ def apply_preset(
 
 
 def estimate_spacing(cloud: Any) -> float:
-    """Returns the median distance to the third nearest particle, as the filter does.
+    """Estimates the spacing, like the filter, as the median distance to the third nearest particle.
 
-    Returns 0 for a single particle.
+    Returns 0 for fewer than two particles.
     """
     cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()
@@ -83,21 +83,21 @@ def describe_precision(cloud: Any, spacing: float) -> list[str]:
         return []
     return [
         f"The particles' positions are of single precision, multiples of {step:.2g} here, where "
-        f"their spacing is {spacing:g}; write double precision, or data near the origin."
+        f"their spacing is {spacing:g}; use double precision, or data near the origin."
     ]
 
 
 def is_point_cloud(data: Any) -> bool:
-    """Returns True if the data are points without lines or polygons, and no image."""
+    """Returns True for a vtkPolyData without polygons and lines, and any other vtkPointSet."""
     if data.IsA("vtkPolyData"):
         return not has_polygons(data) and data.GetNumberOfLines() == 0
     return bool(data.IsA("vtkPointSet"))
 
 
 def series_spacing(frames: list[Any]) -> float:
-    """Returns the least spacing among the frames; 0 if no frame has enough particles.
+    """Returns the least spacing among the frames; 0 if no frame has two particles.
 
-    Frames with few particles, such as spray before a splash, are ignored if others have many.
+    Frames with less than a tenth of the most particles, such as spray before a splash, are ignored.
     """
     clouds = [frame for frame in frames if is_point_cloud(frame)]
     most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)
@@ -119,7 +119,7 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets sums of short kernels; their radii: the chosen array, else "radius", else constant."""
+    """Sets sums of short kernels, with radii of the chosen array, else of "radius", else equal."""
     first = source.first_frame()
     chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
     radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None

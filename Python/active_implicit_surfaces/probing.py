@@ -29,9 +29,9 @@ class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
     - probe (float): radius of the probe [length], 0 or more.
-    - preset, arrays, options: see `frames`; a preset raises ValueError. The class uses the array of
-      "radii" (default: "radius") and "voxel_size" (default: a quarter of the root mean square
-      radius of the first frame). The class sets "voxel_size" and "attraction" in `options`, and
+    - preset, arrays, options: see `frames`; a preset, or an array other than "radii" (default:
+      "radius"), raises ValueError. The class adds "voxel_size" (default: a quarter of the root mean
+      square radius of the first frame with atoms) and "attraction" to `options` if missing, and
       removes "pass_target_arrays".
 
     Attributes:
@@ -48,7 +48,7 @@ class ProbedAtoms:
     ) -> None:
         first, idle = atoms.first_frame(), sorted({*arrays} - {"radii"})
         if not 0 <= probe < float("inf"):
-            raise ValueError(f"The probe's radius has to be 0 or more, not {probe:g}.")
+            raise ValueError(f"The probe's radius has to be finite and 0 or more, not {probe:g}.")
         if first.IsA("vtkImageData"):
             raise ValueError("A probe needs atoms, but the input is an image; leave probe out.")
         if preset is not None or idle:
@@ -68,8 +68,8 @@ class ProbedAtoms:
         array = atoms.GetPointData().GetArray(self._radii)
         if array is None:
             raise ValueError(
-                f"The atoms have no array {self._radii!r} of van der Waals radii, over which a "
-                "probe rolls; give elements, or the name of such an array as radii."
+                f"The atoms have no array {self._radii!r} of van der Waals radii, which a probe "
+                "needs; give elements, or the name of an array of radii as radii."
             )
         return vtk_to_numpy(array)
 

@@ -1,4 +1,4 @@
-"""Properties of the filter as keywords and options, from properties.json: the table of its header.
+"""Properties of the filter as keywords and options, read from properties.json.
 
 >>> from active_implicit_surfaces import properties
 >>> spacing = properties.find("particle_spacing")
@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-AUTOMATIC = -1.0  # the filter finds the value; only defaults have it
+AUTOMATIC = -1.0  # the filter chooses the value; only for properties with this default
 TABLE = Path(__file__).with_name("properties.json")
 
 
@@ -34,7 +34,7 @@ class Property:
     choices: tuple[str, ...]
     range: str  # "" if there is none
     unit: str
-    sentence: str  # the first of the comment
+    sentence: str  # first sentence of the comment
     comment: str
 
     @property
@@ -54,7 +54,7 @@ class Property:
 
     @property
     def summary(self) -> str:
-        """Returns the first sentence of the comment, with the default."""
+        """Returns the first sentence of the comment, and the default unless it is an object."""
         if self.kind == "object":
             return self.sentence
         value = self.choices[self.default] if self.kind == "choice" else self.default
@@ -62,7 +62,7 @@ class Property:
 
 
 def every() -> tuple[Property, ...]:
-    """Returns all properties, in their groups."""
+    """Returns all properties, ordered by group."""
     return tuple(_table().values())
 
 
@@ -132,7 +132,7 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
         words = ", ".join(f"{word!r} ({number})" for number, word in enumerate(own.choices))
         raise ValueError(f"{own.keyword} is one of {words}, not {value!r}.")
     if kind != "object" and got != wanted and wanted == wanted:
-        limits = f"its range: {own.range}" if own.range else f"its range; it became {got}"
+        limits = f"its range: {own.range}" if own.range else f"its range; the filter takes {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")
 
 

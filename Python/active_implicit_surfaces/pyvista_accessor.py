@@ -1,4 +1,4 @@
-"""Skins as methods of PyVista's data sets, which PyVista 0.48 and later finds in a wheel.
+"""Skins as methods of PyVista's data sets; PyVista 0.48 and later finds the methods in a wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh
@@ -35,18 +35,18 @@ class ActiveSurfaceAccessor:
         Parameters
         ----------
         **options
-            ``radii``, ``strengths``, ``preset``, ``arrays`` and the properties of
+            ``radii``, ``strengths``, ``probe``, ``preset``, ``arrays`` and the properties of
             vtkActiveImplicitSurface; see active_implicit_surfaces.skin.
 
         Returns
         -------
         pyvista.PolyData
-            Closed triangles with normals.
+            Closed surface of triangles with normals.
 
         Raises
         ------
         ValueError
-            The filter reports an error; the text is the filter's message.
+            A value or an array does not fit, or the filter reports an error.
         TypeError
             Unknown keyword (the text names the closest one), or the data set is an ImageData or a
             RectilinearGrid.
@@ -70,7 +70,7 @@ class ActiveSurfaceAccessor:
         duration : float
             Time at which `other` is reached [time]. Default: 1.
         **options
-            ``frames``, ``progress`` and the properties of vtkActiveImplicitSurface; see
+            ``frames``, ``fit``, ``progress`` and the properties of vtkActiveImplicitSurface; see
             active_implicit_surfaces.morph.
 
         Returns

@@ -9,7 +9,7 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     Z        Z, FLOAT           distance from the camera along its axis [world units], with
                                 perspective and without; `far` where nothing is
     P        P.X P.Y P.Z, FLOAT position in the world minus `origin`; 0 where nothing is
-    N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
+    N        N.X N.Y N.Z, HALF  unit normal in world coordinates, as the data has it (outward on a
                                 closed skin), not turned to the camera; 0 where nothing is
     forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
                                 nothing is, or nothing moves
@@ -53,10 +53,10 @@ except ImportError as error:
     ) from error
 
 FAR = 1e10  # value of the background in Blender; finite, so that image filters produce no NaN
-# Tolerance of depth for values of one surface. The depth buffer has 24 bits, of which perspective
-# leaves about 14 far away.
+# Relative tolerance of the distances of one surface. The depth buffer has 24 bits, of which
+# perspective leaves about 14 far away.
 _SAME_DEPTH = 1e-4
-_COARSE = 3e-5  # step of single precision, relative to the camera's distance: 0.1 pixel
+_COARSE = 3e-5  # largest step of single precision, over the camera's distance: 0.1 pixel
 
 
 def write_exr(
@@ -76,11 +76,12 @@ def write_exr(
     frame_duration : float
         Time until the next frame [time of the velocities], more than 0. Default: 1.
     writer : vtkActiveEXRWriter, optional
-        Writer with other settings (compression, attributes); input, file name, types and matrices
-        are set here.
+        Writer with other settings (compression, attributes); input, file name, pixel types,
+        matrices and color encoding are set here.
     **options
         Options of capture(). `origin` is 0 unless single precision is too coarse for positions in
-        the world, as for map coordinates; a warning and the attribute worldOrigin then name it.
+        the world, as for map coordinates; a warning and the attribute worldOrigin then name the
+        origin.
 
     Returns
     -------
@@ -122,7 +123,7 @@ def write_exr(
         writer.SetInputData(written)
         writer.Write()
     if writer.GetErrorCode():
-        raise OSError(heard.errors[0] if heard.errors else f"{file_name} could not be written.")
+        raise OSError(heard.errors[0] if heard.errors else f"{file_name} cannot be written.")
     return image
 
 
@@ -146,15 +147,15 @@ def capture(
     renderer : vtkRenderer, optional
         Renderer to capture; it has to fill the window. Default: the first of the window.
     velocity : str
-        Name of a point array of 3 components [length/time], in the data's own coordinates; surfaces
-        without this array stand still. Default: "Velocity".
+        Name of a point array of 3 components [length/time] along the world's axes (active vectors:
+        the data's own axes); surfaces without this array stand still. Default: "Velocity".
     frame_duration : float
         Time until the next frame [time of the velocities]. Default: 1.
     camera_after : vtkCamera, optional
         The camera of the next frame, if it moves.
     encoding : {"srgb", "linear"}
         Meaning of the window's colors: "srgb" for display colors (usual in VTK), "linear" for
-        linear light. RGBA holds the window's 8 bits unchanged; write_exr decodes them.
+        linear light. RGBA holds the window's 8 bits; write_exr converts sRGB to linear light.
         Default: "srgb".
     far : float
         Z of the background [length]. Default: 1e10.
@@ -172,7 +173,8 @@ def capture(
     Raises
     ------
     ValueError
-        The encoding is unknown, the window cannot draw, or the renderer does not fill it.
+        The encoding is unknown, the window cannot draw or has no renderer, or the renderer does not
+        fill the window.
     """
     if encoding not in ("srgb", "linear"):
         raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
@@ -278,14 +280,17 @@ def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any
 
 
 def _origin_of(renderer: Any) -> tuple[float, ...] | None:
-    """Returns the camera's focal point if single precision is too coarse for the scene."""
+    """Returns the camera's focal point if single precision is too coarse there, else None."""
     camera = renderer.GetActiveCamera()
     focus = numpy.array(camera.GetFocalPoint(), "f4")
     if numpy.spacing(numpy.abs(focus).max()) <= _COARSE * camera.GetDistance():
         return None
     origin = tuple(focus.astype(float).tolist())
     listed = " ".join(f"{value:.17g}" for value in origin)
-    warn(f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}.")
+    warn(
+        f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}: "
+        "single precision is too coarse here."
+    )
     return origin
 
 
@@ -319,7 +324,7 @@ def _picture(window: Any, size: tuple[int, int]) -> Any:
 
 
 def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
-    """Returns world positions of the pixels' centers at these depths, and axial distances."""
+    """Returns world positions of the pixels' centers, and distances along the camera's axis."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
     cube = numpy.empty((len(depth), 4))

@@ -33,7 +33,7 @@ class Sink:
 
 
 class FileSeries(Sink):
-    """Writes a file for each frame, and at the end an index of the files.
+    """Writes a file for each frame, and after the last frame an index of the files.
 
     - index (Path, optional): a .pvd or a .series, with a time for each name.
     """
@@ -98,7 +98,7 @@ class Skins:
 
 
 def update(surface: Any, time: float, source: Any = None) -> None:
-    """Updates a filter to a time; raises the source's exception, or the filter's as ValueError."""
+    """Updates a filter to a time; raises the source's exception, or a ValueError of the filter."""
     with listening(*filter(None, (surface, source))) as heard:
         surface.UpdateTimeStep(time)
     if source is not None and source.failure is not None:

@@ -31,7 +31,7 @@ COLORS = {
 VIEW_ANGLE = 20.0
 FINENESS = 2  # supersampling factor of a picture
 BORDER = 12  # pixels cut off: ambient occlusion is incomplete at the border of the picture
-# From the scene to the camera; with y or z up, x points to the right.
+# Directions from the scene to the camera by up axis; with y or z up, x points to the right.
 VIEWS = {"x": (0.5, 1.0, 0.45), "y": (0.45, 0.5, 1.0), "z": (0.45, -1.0, 0.5)}
 
 # Key, fill and rim light relative to the camera: direction, color, intensity.
@@ -50,7 +50,7 @@ class Scene:
     - soft (bool): ambient occlusion, which uses the depth buffer: must be False for layers.
 
     Attributes:
-    - apart (dict): actor of the ground, for `apart` of render.capture().
+    - apart (dict): actor of the ground, if any, for `apart` of render.capture().
     """
 
     def __init__(
@@ -122,7 +122,7 @@ class Scene:
             self.renderer.AddLight(light)
 
     def _place_camera(self, points: Any, up: int, sign: float) -> None:
-        """Places the camera at the least distance at which all points are within the picture."""
+        """Places the camera just far enough to show all points, with a margin of 8 %."""
         to_camera, upward = numpy.array(VIEWS["xyz"[up]]), sign * numpy.eye(3)[up]
         to_camera[up] *= sign
         to_camera = to_camera / numpy.linalg.norm(to_camera)
@@ -146,7 +146,7 @@ class Scene:
             self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
 
     def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> Any:
-        """Adds a ground in the color of the background, visible by its ambient occlusion."""
+        """Adds a ground in the color of the background, visible only by ambient occlusion."""
         reach, height = (
             4.0 * float(numpy.linalg.norm(high - low)),
             min(sign * low[up], sign * high[up]),

@@ -41,7 +41,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
     ----------
     load : callable(int)
         Returns the data of a step: a vtkDataObject of `output_type`, or particles in a form that
-        `as_particles` accepts. The data of the last two steps are cached.
+        `as_particles` accepts. The data of two steps are cached.
     times : sequence of float
         Increasing times [time].
     output_type : str
@@ -87,14 +87,14 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points; the middle and last frames too, if readable now."""
+        """Returns the first frame with points; with `any_order` also the middle and last frames."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
         frames = [first]
         for step in sorted({last // 2, last} if self._any_order else set()):
             if step > (self._first or 0):
-                with suppress(Exception):  # raised when the run comes to this frame
+                with suppress(Exception):  # raised again when the run comes to this frame
                     frames.append(self._read(step))
         return frames
 
@@ -114,15 +114,16 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return own
 
     def leave_out_pieces(self, minimum: int, volume: float, spacing: float) -> int:
-        """Removes particles in clusters of fewer than `minimum`, or of less than `volume`.
+        """Removes particles in clusters of fewer than `minimum` particles or less than `volume`.
 
         A particle has the volume spacing^3. Returns the least number of particles of a cluster.
+        Raises ValueError for images.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)
         if self._output_type == "vtkImageData":
             raise ValueError(
-                "minimum_piece needs particles, not an image; leave minimum_piece out."
+                "minimum_piece and minimum_volume need particles, not an image; leave them out."
             )
         self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
         return minimum
@@ -131,7 +132,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         """Converts images by one rule for all: masks to labels, 1 inside; others to level sets,
         negative inside.
 
-        Raises ValueError if the images have several labels, or no values below 0.
+        Raises ValueError if the images have several labels, or by this rule no inside.
         """
         if self._output_type == "vtkImageData":
             self._change(converter_of_series(self.frames_that_tell()))
@@ -174,19 +175,20 @@ class ParticleSeries(TemporalSource):
     Parameters
     ----------
     frames : iterable of particles, pattern or list of files, or callable(time)
-        Particles in a form that `as_particles` accepts, or images; files of `active-surface`.
+        Particles in a form that `as_particles` accepts, or images; files as for `active-surface
+        skin`.
     times : sequence of float, optional
         Time of each frame [time], increasing; required for a callable.
     fps : float, optional
         Frames per unit of time [1/time], more than 0, instead of times: 0, 1/fps, 2/fps ...
         Default: the times in the files, else 25.
     where : str or sequence of str, optional
-        All conditions must be met: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
+        Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
 
     Raises
     ------
     ValueError
-        Times do not increase or match the frames; times and fps are both given; no frames.
+        Times do not increase or match the frames; times and fps are both given; no frame is given.
     OSError
         A file does not exist or cannot be read.
 
@@ -236,7 +238,7 @@ def _loader(
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
         raise ValueError(
-            f"There are {len(times)} times for {len(held)} frames; give one for each frame."
+            f"There are {len(times)} times for {len(held)} frames; give one time for each frame."
         )
     own = times_at(range(len(held)), fps) if times is None else list(times)
     return held.__getitem__, own, _kind_of(held[0] if len(held) else None)

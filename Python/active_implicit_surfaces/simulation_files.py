@@ -1,6 +1,6 @@
 """Reads particles of simulations: .bgeo, dumps of LAMMPS, .hdf5 of PySPH.
 
-The functions return the same structures as those of `text_particles`.
+The functions return frames (or functions that read a frame) and times, like `text_particles`.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _WHOLE = ("id", "type", "mol", "proc", "ix", "iy", "iz")
 
 
 def read_bgeo(path: Path) -> Frames:
-    """Reads points and attributes of Houdini's classic format, written by partio, SPlisHSPlasH."""
+    """Reads points and attributes of Houdini's classic format, as of partio and SPlisHSPlasH."""
     content = path.read_bytes()
     try:
         content = gzip.decompress(content) if content[:2] == b"\x1f\x8b" else content
@@ -112,7 +112,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
         names, rows = items["ATOMS"][0].split()[1:], items["ATOMS"][1].splitlines()
         field, origin = _box_of(*items["BOX BOUNDS"])
     except (KeyError, ValueError) as error:
-        raise ValueError(f"its frame is damaged ({error})") from error
+        raise ValueError(f"its frame is damaged ({error}); write it again") from error
     if len(rows) < count:
         raise ValueError(f"a frame has only {len(rows)} of {count} atoms: the file ends too early")
     cells = rows[0].split() if count else [""] * len(names)
@@ -137,7 +137,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
-    """Returns edges and periodic axes of the box, as .xyz files do, and the box's corner."""
+    """Returns the box (edges, corner, periodic axes) as read_molecule does, and the corner."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
     if rows.shape == (3, 4):
         edges, origin = rows[:, :3], rows[:, 3]
@@ -169,7 +169,7 @@ def _hdf5(path: Path) -> Iterator[Any]:
         with h5py.File(path) as file:
             yield file
     except (OSError, KeyError, AttributeError, TypeError) as error:
-        raise ValueError(f"it is no .hdf5 of PySPH ({error})") from error
+        raise ValueError(f"it is damaged, or no .hdf5 of PySPH ({error})") from error
 
 
 def _read_kinds(path: Path) -> Frame:

@@ -61,7 +61,7 @@ PARTICLE_OUT_SUFFIXES = (".vtp", ".ply", ".vtk", ".csv", ".xyz", ".json", ".npz"
 
 
 def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
-    """Raises ValueError if files with the extension of `path` cannot be written."""
+    """Raises ValueError if the extension of `path` is not in `known`."""
     if suffix_of(path) not in known:
         raise ValueError(f"{path}: {what} are written as {', '.join(known)}.")
 
@@ -69,17 +69,17 @@ def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
 def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **settings: Any) -> None:
     """Writes a mesh in the format of the extension, atomically: completely or not at all.
 
-    Warns of arrays that the format cannot hold.
+    Warns of arrays and lines that the format cannot hold.
 
-    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb pass the filter's own output: its grid
-      is written.
+    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb pass the filter's own output, whose
+      grid is then written.
     - port (vtkAlgorithmOutput, optional): output port of the mesh's source, from which a .vdb gets
       its frame number.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up, for a .glb, in which
       y is up. Default: "y".
-    - **settings: methods of the writer and their argument: ``SetVoxelSize=0.1``.
+    - **settings: methods of a .vdb, .vtp or .vtk writer, and arguments: ``SetVoxelSize=0.1``.
 
-    Raises OSError if the file cannot be written; the text is the writer's message.
+    Raises OSError if the file cannot be written.
     """
     suffix = suffix_of(path)
     warn_of_losses(suffix, mesh)
@@ -110,9 +110,10 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
 
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
-    """Reads a mesh or an image; joins `parts` into one mesh, with images contoured.
+    """Reads a mesh or an image; joins the file and `parts`, if any, into one mesh.
 
-    Raises OSError if a file cannot be read.
+    Images among the parts are contoured. Raises OSError if a file cannot be read, or has neither a
+    mesh nor an image.
     """
     if parts:
         return output_of(vtkAppendPolyData(), *map(_surface_in, (path, *parts)))
@@ -147,9 +148,11 @@ def _surface_in(path: Path) -> Any:
 
 
 def holds_particles(path: Path) -> bool | None:
-    """Returns True if a file contains only points, False for a mesh or image, None if it is empty.
+    """Returns True for particles, False for a mesh or image, None for no points (.vdb: True).
 
-    Raises OSError if the file cannot be read.
+    A vtkPolyData without polygons is particles; another point set, if all cells are vertices.
+    If the extension allows only particles, or only meshes and images, the file is not read. Raises
+    OSError for another extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
@@ -218,7 +221,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """Converts all polygons to triangles; drops other cells."""
+    """Converts polygons and strips to triangles; drops other cells unless all are triangles."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):
@@ -230,13 +233,15 @@ def _triangles(mesh: Any) -> Any:
 
 
 def _check_corners(path: Path, data: Any) -> None:
-    """Raises OSError if a cell refers to a point that does not exist; VTK does not check."""
+    """Raises OSError if a vtkPolyData's cell refers to a missing point; VTK does not check."""
     if not data.IsA("vtkPolyData"):
         return
     for cells in (data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()):
         corners = vtk_to_numpy(cells.GetConnectivityArray())
         if corners.size and (corners.min() < 0 or corners.max() >= data.GetNumberOfPoints()):
-            raise OSError(f"{path} cannot be read: it is damaged; a cell refers to missing points.")
+            raise OSError(
+                f"{path} cannot be read: a cell refers to a missing point; write the file again."
+            )
 
 
 def _read_glb(path: Path) -> Any:
@@ -247,13 +252,15 @@ def _read_glb(path: Path) -> Any:
     if is_own and not has_meshes:
         return vtkPolyData()  # an empty skin
     reader = vtkGLTFReader()
-    reader.SetApplyDeformationsToGeometry(not is_own)  # own: ignores the rotation of the node
+    reader.SetApplyDeformationsToGeometry(not is_own)  # own: not rotated by its node
     reader.SetFileName(str(path))
     with quiet(), listening(reader) as heard:
         reader.Update()
         mesh = surface_of(_turned_outward(reader.GetOutputDataObject(0)))
     if heard.errors or mesh.GetNumberOfPoints() == 0:
-        said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
+        said = (
+            heard.errors[0] if heard.errors else "it holds no mesh, or is damaged; write it again."
+        )
         raise OSError(f"{path} cannot be read: {said.rstrip('.')}.")
     if origin is not None:
         mesh.SetPoints(vtk_points(points_of(mesh) + origin))
@@ -266,7 +273,7 @@ def _read_glb(path: Path) -> Any:
 
 
 def _turned_outward(nodes: Any) -> Any:
-    """Reverses meshes of a .glb whose node mirrors them, as glTF demands."""
+    """Reverses the polygons of meshes that a node of the .glb mirrors, as glTF demands."""
     for mesh in blocks_of(nodes):
         matrix = mesh.GetFieldData().GetArray("globalTransform")
         if matrix is not None and numpy.linalg.det(vtk_to_numpy(matrix).reshape(4, 4)) < 0:

@@ -50,7 +50,8 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
 
     Returns vtkImageData: image with the point array "distance" [length], clamped to two voxels.
 
-    Raises ValueError if no atom has a radius, or the image would be too large.
+    Raises ValueError if no atom has a radius, the probe touches too many atoms, or the image would
+    be too large.
     """
     radii = numpy.asarray(radii, float).reshape(-1)
     balls = numpy.column_stack([numpy.asarray(centers, float).reshape(-1, 3), radii])
@@ -151,7 +152,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets exits to the depth, unless another ball covers the owner's nearest surface point."""
+        """Sets `exit` to `depth` at a ball's points whose nearest surface point is uncovered."""
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]
@@ -171,7 +172,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Reduces the other exits to the distances from the arcs where a ball meets later balls."""
+        """Reduces exits that add_patch has not set to distances from arcs with later balls."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)

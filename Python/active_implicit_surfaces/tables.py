@@ -1,5 +1,5 @@
 """Reads tables of numbers as text. Separator, quotes, decimal mark and header are detected; a
-column of times splits the rows into frames.
+column of times or frame numbers splits the rows into frames.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy
 from .messages import few, warn
 
 Frame = dict[str, Any]
-# Frames, or functions that read one, and their times if the file has them.
+# Frames (or functions that read a frame), and the times of the frames, None if the file has none.
 Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
 FIELD, SYMBOLS = "\0field", "\0symbols"  # keys of a frame that no column has as its name
 
@@ -25,7 +25,7 @@ POSITIONS = (
     *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),
     *("coords", "coord", "pos"),
 )
-_OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # only as columns
+_OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # of columns only
 _LENGTHS = ("m", "mm", "cm", "km", "um", "nm", "in", "ft")
 # Vectors that may be the positions, the most certain first.
 _RANKS = {name: rank for rank, name in enumerate(("", *POSITIONS, *_OTHERS, *_LENGTHS, "p"))}
@@ -56,7 +56,10 @@ class _Form(NamedTuple):
 
 
 def read_table(text: str) -> Frames:
-    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too), or the first three."""
+    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too).
+
+    Without names, the positions are the first three columns, after a column of row numbers if any.
+    """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
     names = [form.names[i] for i in form.columns] if form.names else []
@@ -178,13 +181,15 @@ def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> 
 
 
 def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> str:
-    said = f"line {row + 1} has {len(cells)} column(s), the header (line {place + 1}) {len(names)}"
+    said = (
+        f"line {row + 1} has {len(cells)} column(s), but the header (line {place + 1}) {len(names)}"
+    )
     are_commas = len(cells) > len(names)
     return said + ("; write decimal points, or separate columns by ;" if are_commas else "")
 
 
 def _find_numbers(lines: list[str]) -> _Form:
-    """Finds the first line of three numbers; the text before may be a header."""
+    """Finds the first line of at least three numbers; the line of text before may be a header."""
     rows = _rows(lines, 0)
     for place, row in enumerate(rows):
         for separator in _SEPARATORS:

@@ -29,7 +29,7 @@ def read_csv(path: Path) -> Frames:
 
 
 def time_of_csv(path: Path) -> float | None:
-    """Returns the time in the first rows, if the table has a column of times."""
+    """Returns the time of a table; None unless its first rows have one time."""
     with path.open("rb") as file:
         head = file.read(_HEAD)
     try:

@@ -10,11 +10,11 @@ FRAMES_PER_SECOND = 25.0  # default without other information
 def check_times(times: Iterable[float]) -> list[float]:
     """Returns the times as a list.
 
-    Raises ValueError if there are no times, or times do not increase.
+    Raises ValueError if there are no times, or the times do not increase.
     """
     own = [float(time) for time in times]
     if not own:
-        raise ValueError("There are no time steps, because there are no frames.")
+        raise ValueError("There are no frames, so no times; give at least one frame.")
     if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
         raise ValueError(
             "Times have to increase from frame to frame; sort the frames by time, and remove "
@@ -24,20 +24,20 @@ def check_times(times: Iterable[float]) -> list[float]:
 
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
-    """Converts positions counted in frames to times."""
+    """Converts positions counted in frames to times, at 25 frames per second if fps is None."""
     rate = FRAMES_PER_SECOND if fps is None else check_rate(fps)
     return [place / rate for place in places]
 
 
 def check_rate(fps: float) -> float:
-    """Returns valid frames per second; raises ValueError for others."""
+    """Returns the frames per second; raises ValueError unless finite and more than 0."""
     if not 0 < fps < float("inf"):
-        raise ValueError(f"Frames per second have to be more than 0, not {fps:g}.")
+        raise ValueError(f"Frames per second have to be finite and more than 0, not {fps:g}.")
     return fps
 
 
 def places_of(numbers: Sequence[float]) -> list[float]:
-    """Returns frame numbers as positions, in units of the least difference between numbers."""
+    """Converts frame numbers to positions: from the first, in units of the least difference."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
     return [round((number - numbers[0]) / step, 6) for number in numbers]
 
@@ -49,7 +49,7 @@ def times_between(times: Sequence[float], fps: float) -> list[float]:
 
 
 def rate_of(times: Sequence[float]) -> float:
-    """Returns the frame rate, 1 to 240, at which a film lasts as long as its times; else 25."""
+    """Returns the mean frame rate of the times if it is 1 to 240, else 25."""
     if len(times) < 2:
         return FRAMES_PER_SECOND
     rate = (len(times) - 1) / (times[-1] - times[0])

@@ -28,7 +28,7 @@ _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.g
 
 
 def check_usd(path: Path) -> None:
-    """Raises OSError if such a film cannot be written here."""
+    """Raises OSError if a film of this name cannot be written here."""
     if has_number(path):
         raise OSError(f"{path} holds all frames in one file; remove the frame number.")
     try:
@@ -41,7 +41,7 @@ class UsdFilm(Sink):
     """Meshes over time as one prim "/skin" of a stage.
 
     Points, polygons, normals, velocities [length/time], colours (displayColor, as linear light) and
-    arrays (primvars) have a sample at each time. Time codes are times in frames.
+    arrays (primvars) have a sample at each time. Time codes are times multiplied by fps.
 
     - path (Path): film.usdc or, as text, film.usda.
     - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of

@@ -11,7 +11,7 @@ import sys
 
 # Written by CMake when it copies this file into the build folder.
 VERSION = "@VTK_VERSION@"
-LIBRARY = "@vtk_library@"  # name in the compiled libraries; or empty
+LIBRARY = "@vtk_library@"  # file name of VTK's library in the compiled libraries, or empty
 PACKAGE = "@vtk_package@"  # vtkmodules, or cvista: a build of VTK that PyVista can use
 BUILT_FOR = "@built_for@"
 
@@ -19,7 +19,7 @@ BUILT_FOR = "@built_for@"
 def is_loaded(library: str) -> bool:
     """Returns True if a library of this ELF name is loaded, which the loader then reuses."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
-        return True  # static VTK, or no such names: only the version is checked
+        return True  # static VTK, or no ELF: only the version is checked
     try:
         ctypes.CDLL(library, mode=os.RTLD_NOLOAD | os.RTLD_LAZY)
     except OSError:
@@ -28,14 +28,15 @@ def is_loaded(library: str) -> bool:
 
 
 def refuse_another() -> None:
-    """Raises ImportError if the process has loaded a VTK of another name, as PyVista may."""
+    """Raises ImportError if the process has loaded VTK from another package, as PyVista may."""
     for name in tuple(sys.modules):
         root, _, rest = name.partition(".")
         if rest == "vtkCommonCore" and root != PACKAGE and not PACKAGE.startswith("@"):
             raise ImportError(
                 f"active_implicit_surfaces was built with the VTK of the package {PACKAGE}, but "
-                f"this program has loaded that of {root}; it cannot have both. If PyVista has "
-                f"loaded it, set the environment variable PYVISTA_VTK_BACKEND to {_short(PACKAGE)} "
+                f"this program has loaded that of {root}; a program cannot have both. Import VTK "
+                f"from {PACKAGE} only. For PyVista, set the environment variable "
+                f"PYVISTA_VTK_BACKEND to {_short(PACKAGE)} "
                 f"(it is {os.environ.get('PYVISTA_VTK_BACKEND', 'not set')}) before PyVista is "
                 "imported."
             )
@@ -54,10 +55,10 @@ def check() -> None:
         f"finds another VTK, {found}, in {os.path.dirname(core.__file__ or '')}; one program "
         "cannot have both. Remove that VTK from the environment (if it is from PyPI: pip uninstall "
         f"{_short(PACKAGE)}), so that the one of the build is found, or build "
-        "active_implicit_surfaces with it."
+        "active_implicit_surfaces with that VTK."
     )
 
 
 def _short(package: str) -> str:
-    """Returns PyVista's name of the backend, which is also the distribution's on PyPI."""
+    """Returns PyVista's name of the backend, which is also the package's name on PyPI."""
     return package.removesuffix("modules")

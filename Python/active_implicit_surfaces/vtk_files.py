@@ -1,7 +1,7 @@
 """Reads files by readers of VTK and of this package; their errors become OSError.
 
 VTK's readers of .obj and .stl accept any bytes, or crash, so these files are checked before. VTK's
-reader also drops colours and digits of an .obj, and adds an array of group numbers.
+reader of .obj drops colours and digits, and adds an array of group numbers.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
     _check(path, heard.errors or said.errors, failed)
     data = reader.GetOutputDataObject(0)
     if data is None:
-        raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
+        raise OSError(f"{path} cannot be read: its format or extension is wrong; write it again.")
     if suffix_of(path) == ".obj":
         _add_vertices(path, data)
     return data
@@ -135,7 +135,11 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
 def _check(path: Path, errors: list[str], failed: bool = False) -> None:
     errors = [said for said in errors if not (_NO_POINTS in said and _is_empty(path))]
     if errors or failed:
-        said = errors[0].rstrip(".") if errors else "it is damaged, or not what its extension says"
+        said = (
+            errors[0].rstrip(".")
+            if errors
+            else "it is damaged, or the extension is wrong; write it again"
+        )
         raise OSError(f"{path} cannot be read: {said}.{_hint(path)}")
 
 
@@ -172,11 +176,14 @@ def _check_obj(path: Path) -> None:
     for corners, so_far in faces:
         forms = {_check_corner(path, corner, whole, so_far) for corner in corners}
         if len(forms) > 1 or not forms:
-            raise OSError(f"{path} cannot be read: it is damaged; a polygon is incomplete.")
+            raise OSError(
+                f"{path} cannot be read: a polygon has no corners, or corners of different form; "
+                "correct it."
+            )
 
 
 def _add_vertices(path: Path, data: Any) -> None:
-    """Adds the vertex colours of an .obj, `v x y z r g b`, and all digits of its coordinates."""
+    """Adds the vertex colours of an .obj, `v x y z r g b`; if floats are too coarse, all digits."""
     data.GetCellData().RemoveArray("GroupIds")
     rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
     if data.GetNumberOfPoints() == 0:
@@ -185,9 +192,7 @@ def _add_vertices(path: Path, data: Any) -> None:
         places = numpy.array([cells[:3] for cells in rows], dtype=float)
         shades = numpy.array([cells[3:] for cells in rows if len(cells) == 6], dtype=float)
     except ValueError as error:
-        raise OSError(
-            f"{path} cannot be read: it is damaged; a coordinate is no number."
-        ) from error
+        raise OSError(f"{path} cannot be read: a coordinate is no number; correct it.") from error
     points = vtk_to_numpy(data.GetPoints().GetData())
     are_alike = len(points) == len(places) and numpy.allclose(points, places, rtol=1e-6, atol=0)
     if len(shades) == len(rows):
@@ -219,11 +224,14 @@ def _check_corner(
     """Returns the parts of a corner (vertex, texture, normal); raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
-        raise OSError(f"{path} cannot be read: it is damaged; a corner has no vertex number.")
+        raise OSError(f"{path} cannot be read: a corner has no vertex number; correct it.")
     for number, count, before in zip(found.groups(), whole, so_far):
         place = int(number or 0)
         if place > count or place < -before or (number and place == 0):
-            raise OSError(f"{path} cannot be read: it is damaged; a corner refers to no vertex.")
+            raise OSError(
+                f"{path} cannot be read: a corner refers to a missing vertex, texture or normal; "
+                "correct it."
+            )
     return tuple(bool(number) for number in found.groups())
 
 
@@ -234,12 +242,12 @@ def _is_empty_stl(path: Path) -> bool:
 
 
 def _check_stl(path: Path) -> None:
-    """Raises OSError if a binary file's triangles do not match its header; VTK does not check."""
+    """Raises OSError if a binary file is too short for its number of triangles, as VTK does not."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
     if not head.lstrip().lower().startswith(b"solid") and size < 84 + 50 * count:
         raise OSError(
-            f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
-            f"take {84 + 50 * count}."
+            f"{path} cannot be read: it has {size} bytes, but its {count} triangles take "
+            f"{84 + 50 * count}; write it again."
         )

@@ -196,7 +196,7 @@ class Programs(CommandTest):
         self.assertIn("Frame 1 is empty: nothing in it meets Type>5.", said)
         self.assertEqual((self.folder / "c.csv").read_text().split(), ["x,y,z,Type"])
         said = self.fail_with(1, "skin", "p_*.npz", "--minimum-piece", 999, *QUIET)
-        self.assertIn("No frame has particles in a cluster of 999 or more.", said)
+        self.assertIn("No frame has particles in a cluster of 999 or more;", said)
 
     def bounds(self, name):
         return read_shape(self.folder / name).GetBounds()
@@ -218,7 +218,7 @@ class Programs(CommandTest):
         said = self.fail_with(1, "skin", "p_10.npz", "--where", "Type=4")
         self.assertIn("There is no Type=4; Type is 1, 2.", said)
         said = self.fail_with(1, "skin", "p_*.npz", "--where", "Type=4")
-        self.assertIn("No particle of any frame meets Type=4.", said)
+        self.assertIn("No particle of any frame meets Type=4;", said)
 
     def test_frames_and_frames_in_between(self):
         self.succeed("skin", "p_*.npz", "--frames", "11:15:2", "-o", "s_##.ply", *QUIET)

@@ -56,7 +56,7 @@ class Usage(CommandTest):
             "expected 6 arguments": ["skin", DROP, "--model-bounds", 1, 2],
             "skins are written as": ["skin", DROP, "-o", "a.foo"],
             "films are written as .mp4": ["skin", DROP, "--render", "a.avi"],
-            "--fps: 0 is not a number above 0": ["skin", DROP, "--fps", 0],
+            "--fps: 0 is not a finite number above 0": ["skin", DROP, "--fps", 0],
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
             "--index has to be a .pvd": ["skin", DROP, "--index", "a.txt"],

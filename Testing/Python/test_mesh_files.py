@@ -92,7 +92,7 @@ class MeshFiles(CommandTest):
         self.assertEqual([cells.GetArray("label").GetValue(i) for i in range(4)], 4 * [7])
         self.put("a.ply", ply("uchar", COLOURS, "list uchar float texcoord"))
         said = self.succeed("convert", "a.ply", "-o", "a.vtp").err
-        self.assertIn("a.ply: properties of polygons are left out: texcoord.", said)
+        self.assertIn("a.ply: list properties of polygons are left out: texcoord.", said)
 
     def test_a_ply_in_capital_letters(self):
         text = ply("uchar", COLOURS)

@@ -102,7 +102,7 @@ class Particles(unittest.TestCase):
         names = {"IsA": lambda self, name: True, "GetClassName": lambda self: "vtkPolyData"}
         with self.assertRaisesRegex(TypeError, "This vtkPolyData is of another VTK than that of"):
             active.skin(type("OfAnotherVTK", (), names)())
-        with self.assertRaisesRegex(ValueError, "each needs one row"):
+        with self.assertRaisesRegex(ValueError, "each needs one row: "):
             active.skin(grid(), radii=numpy.ones(3))
         with self.assertRaisesRegex(TypeError, r"'splash.csv' is a name, .* frames\(\)"):
             active.skin("splash.csv")

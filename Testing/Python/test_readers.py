@@ -250,7 +250,7 @@ class Molecules(ReaderTest):
         ):
             with self.subTest(symbols):
                 found, said = self.numbers(*symbols)
-                self.assertIn(f"{unknown}: there is no such element", said)
+                self.assertIn(f"{unknown}: there is no element of this symbol", said)
         self.assertIsNone(found)  # unknown radii follow from the distances
 
     def test_properties_name_the_columns(self):

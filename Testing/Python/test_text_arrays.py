@@ -114,7 +114,7 @@ class Choices(unittest.TestCase):
             ("Type=Li", "There is no Type=Li; Type is Cl, K, Na."),
             ("Type=na,li", "There is no Type=na,li; Type is Cl, K, Na."),
             ("kind=3", "There is no kind=3; kind is 1, 2, 4."),
-            ("kind=Na", "'kind' holds numbers; kind is 1, 2, 4."),
+            ("kind=Na", "'kind' holds numbers, not texts; kind is 1, 2, 4."),
             ("Type>3", "'Type' holds texts, which are compared by = and != only"),
             ("Sort=Na", "There is no array 'Sort' to choose by; there are x, y, z, Type, kind."),
         ):

@@ -215,7 +215,10 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         if suffix_of(file) != ".vdb":
             level, above = usual_level(image, options.level)
             if above and options.level is not None:
-                warn(f"Inside is above {level:g}, because most of the image's border is below.")
+                warn(
+                    f"Inside is above {level:g}: the image is a mask or fractions, or most of its "
+                    "border is below."
+                )
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
         level = level if options.level is None else options.level

@@ -1,4 +1,4 @@
-"""Rejects an option that has no effect in a run; the error names runs in which the option acts.
+"""Rejects an option without effect in a run; the error names runs in which the option acts.
 
 A run has facts: words such as "render", and "particle_model=sum" and the like for each choice
 and switch of the filter. An option has rows of facts, from the tables below or from the groups
@@ -80,7 +80,7 @@ def check_effects(
     facts: Iterable[str],
     surface: Any = None,
 ) -> None:
-    """Ends the program if an option has no effect; warns if it acts only on a series.
+    """Ends the program if an option has no effect; only warns if the option needs a series.
 
     Without a surface the properties are read from the options.
     """

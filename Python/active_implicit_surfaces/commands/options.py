@@ -196,7 +196,7 @@ def picture_size(text: str) -> tuple[int, int]:
     """Parses a size [pixels] such as 640x360."""
     parts = text.lower().split("x")
     if len(parts) != 2 or not all(part.isdigit() and 16 <= int(part) <= 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720")
+        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720 (16 to 16384 each)")
     return int(parts[0]), int(parts[1])
 
 
@@ -233,7 +233,7 @@ def frame_range(text: str) -> tuple[int | None, int | None, int]:
         found = None, None, 0
     if found[2] < 1 or text.count(":") not in (1, 2):
         raise argparse.ArgumentTypeError(
-            f"{text} are no frames; write FIRST:LAST or FIRST:LAST:STEP"
+            f"{text} are no frames; write FIRST:LAST or FIRST:LAST:STEP, STEP 1 or more"
         )
     return found
 
@@ -246,11 +246,11 @@ def whole(text: str) -> int:
 
 
 def positive(text: str) -> float:
-    """Parses a number above 0."""
+    """Parses a finite number above 0."""
     try:
         value = float(text)
     except ValueError:
         value = -1.0
     if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
+        raise argparse.ArgumentTypeError(f"{text} is not a finite number above 0")
     return value

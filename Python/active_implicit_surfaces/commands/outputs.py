@@ -1,4 +1,4 @@
-"""Outputs of the commands skin and morph: skins, their index, and films."""
+"""Outputs of the commands skin and morph: skins, their index, films, histories and plots."""
 
 from __future__ import annotations
 
@@ -43,9 +43,9 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields the options of each run: one per label, with its own output names; or a single run.
+    """Yields the options of each run: one for each label, with own output names; else one run.
 
-    `find` returns all labels, `default` is the name of outputs.
+    `find` returns all labels; `default` is the name of the output if no name is given.
     """
     if not (options.output or getattr(options, "render", None)):
         options.output = default

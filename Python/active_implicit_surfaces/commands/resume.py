@@ -16,7 +16,7 @@ _SECONDS_BETWEEN_STATES = 20.0
 
 
 class Resumption(Sink):
-    """Saved state of the last finished frame; after bind() it is a sink of a run.
+    """State of a run, saved every 20 s; after bind() a sink of the run.
 
     - output (Path): name of the series of skins; the state is in hidden files of the same folder.
     - description (dict): options that the skins depend on; a run with other options cannot be
@@ -144,7 +144,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Returns name, size and time (only names if files may grow) of the first frames' files."""
+        """Returns name, size and time of the files of `count` frames; if files may grow, names."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()

@@ -198,7 +198,7 @@ def _add_input_options(parser: Parser) -> None:
     told = "omit clusters of fewer particles; or --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
-    told = "first, last, step; --preroll N starts N frames before A"
+    told = "first, last, step; --preroll N starts N steps before A"
     files.add_argument("--frames", type=frame_range, metavar="A:B:C", help=told)
     files.add_argument("--preroll", type=whole, help=argparse.SUPPRESS)
     files.add_argument(
@@ -222,7 +222,7 @@ def _add_input_options(parser: Parser) -> None:
 
 
 def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
-    """Returns the points in view and the up axis; a resumed run uses the saved ones."""
+    """Returns the points in view and the up axis; a resumed run uses saved values."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
     has_balls = options.preset in ("molecule", "grains") or options.probe is not None

@@ -17,13 +17,13 @@ _SAMPLED = 2000  # particles of a frame that are searched for strays
 
 
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
-    """Returns points around all particles of a series, and the up axis, y or z.
+    """Returns points around the particles of up to 64 frames of a series, and the up axis, y or z.
 
     The points are the extremes of each frame in 26 directions. Strays, such as drops that fly off,
     are in view only if the other particles do not become small in the picture.
 
-    The up axis is the result of `lie` for the average of the series. For images the up axis is z,
-    and the bounds of the first image are in view.
+    The up axis is the result of `lie` for bounds and mean position of the frames. For images the up
+    axis is z, and the bounds of the first image are in view.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
