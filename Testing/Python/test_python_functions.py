@@ -255,7 +255,7 @@ class Series(unittest.TestCase):
 
     def test_arrays_that_are_not_there(self):
         for role in ("ids", "radii", "strengths", "velocities"):
-            with self.subTest(role), self.assertRaisesRegex(ValueError, f"chosen for {role}; they"):
+            with self.subTest(role), self.assertRaisesRegex(ValueError, f"chosen for {role}; there"):
                 active.frames(moving_grid(2), arrays={role: "nope"})
         frame = data_objects.as_particles(grid(), ids=numpy.arange(125))
         with self.assertRaisesRegex(ValueError, "'nope', chosen for radii; there are 'id'"):
@@ -310,7 +310,7 @@ class Live(unittest.TestCase):
         numbered = [data_objects.as_particles(points, ids=ids) for points in moving]
         wanted = [bytes_of(frame.skin) for frame in active.frames(numbered, fps=10, **SPACING)]
         live = active.LiveSurface(arrays={"ids": "id"}, **SPACING)
-        with self.assertRaisesRegex(ValueError, "no point array 'id', chosen for ids; they have"):
+        with self.assertRaisesRegex(ValueError, "no point array 'id', chosen for ids; there"):
             live.advance(moving[0], 0.1)
         self.assertIsNone(live.time)
         self.assertEqual(bytes_of(live.advance(moving[0], 0.1, ids=ids)), wanted[0])
