@@ -252,7 +252,7 @@ def configure(
     if "ids" not in chosen:
         filled = [frame for frame in frames if frame.GetNumberOfPoints()]
         found = {usual_ids(frame) for frame in filled or [first]}
-        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": names differ
+        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": the names differ
     for role, name in chosen.items():
         if name:
             surface.SetInputArrayToProcess(_ARRAYS[role], 0, 0, _POINTS, name)
@@ -296,7 +296,7 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
-    """Raises ValueError if a first frame with points lacks a chosen array."""
+    """Raises ValueError if the first frame has points, but not a chosen array."""
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return

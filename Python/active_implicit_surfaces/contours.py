@@ -84,7 +84,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
         return level, above
     if len(labels) > 1:
         raise ValueError(
-            f"The image has the labels {few(labels, 20)}; choose one, --label of active-surface."
+            f"The image has the labels {few(labels, 20)}; choose one by --label of active-surface."
         )
     if values[0] == values[-1]:
         raise ValueError(
@@ -177,7 +177,7 @@ def _with_point_values(image: Any) -> tuple[Any, Any]:
         image = output_of(vtkCellDataToPointData(), image)
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise ValueError("The image has no scalars with one component, which a surface needs.")
+        raise ValueError("The image has no scalars with one component; give a scalar image.")
     return image, vtk_to_numpy(scalars)
 
 

@@ -287,7 +287,7 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
     for rows in kinds:
         faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
         if faces.ndim != 2:
-            raise ValueError(f"Faces are rows of point numbers, not of shape {faces.shape}.")
+            raise ValueError(f"Faces have to be rows of point ids; the shape is {faces.shape}.")
         start = offsets[-1][-1]
         offsets.append(start + faces.shape[1] * numpy.arange(1, len(faces) + 1))
         numbers.append(faces.ravel())

@@ -97,7 +97,7 @@ def is_point_cloud(data: Any) -> bool:
 def series_spacing(frames: list[Any]) -> float:
     """Returns the least spacing among the frames; 0 if no frame has two particles.
 
-    Frames with less than a tenth of the most particles, such as spray before a splash, are ignored.
+    Frames with less than a tenth of the largest count, such as spray before a splash, are ignored.
     """
     clouds = [frame for frame in frames if is_point_cloud(frame)]
     most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)

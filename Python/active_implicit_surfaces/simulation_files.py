@@ -93,7 +93,9 @@ def read_dump(path: Path) -> Frames:
         found = [(head.start(), head["time"]) for head in _DUMP.finditer(content)]
         is_binary, end = b"\0" in content[:4096], len(content)
     if not found:
-        raise ValueError("it is binary; write it as text" if is_binary else "it is no dump")
+        raise ValueError(
+            "it is binary; write it as text" if is_binary else "it is no dump of LAMMPS"
+        )
     ends = [*(start for start, _ in found[1:]), end]
     frames = [functools.partial(_read_dumped, path, *cut) for cut in zip(dict(found), ends)]
     times = [float(time) for _, time in found if time]
@@ -114,7 +116,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
     except (KeyError, ValueError) as error:
         raise ValueError(f"its frame is damaged ({error}); write it again") from error
     if len(rows) < count:
-        raise ValueError(f"a frame has only {len(rows)} of {count} atoms: the file ends too early")
+        raise ValueError(f"a frame has only {len(rows)} of {count} atoms; write the file again")
     cells = rows[0].split() if count else [""] * len(names)
     used = [i for i, (name, cell) in enumerate(zip(names, cells)) if number(cell) is not None]
     table = numpy.loadtxt(rows[:count], usecols=used, ndmin=2) if count else numpy.zeros((0, 99))

@@ -172,7 +172,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Reduces exits that add_patch has not set to distances from arcs with later balls."""
+        """Reduces exits, except those of add_patch, to distances from arcs with later balls."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)

@@ -249,7 +249,7 @@ def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     table, width = [], len(form.names) or max(form.columns) + 1
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
-            raise ValueError(f"line {place} has {len(cells)} column(s), others have {width}")
+            raise ValueError(f"line {place} has {len(cells)} column(s), other lines {width}")
         values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:
             wrong = cells[form.columns[values.index(None)]]

@@ -37,7 +37,7 @@ def check_rate(fps: float) -> float:
 
 
 def places_of(numbers: Sequence[float]) -> list[float]:
-    """Converts frame numbers to positions: from the first, in units of the least difference."""
+    """Converts frame numbers to positions: the first is 0, the least difference is 1."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
     return [round((number - numbers[0]) / step, 6) for number in numbers]
 

@@ -98,7 +98,7 @@ def _reader_of(path: Path) -> Any:
     try:
         reader = getattr(importlib.import_module(module), name)()
     except ImportError as error:
-        raise OSError(f"{path} cannot be read: this installation has no {name}.") from error
+        raise OSError(f"{path} cannot be read: VTK here has no {name}; convert the file.") from error
     if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
         _check_steps(path)
     reader.SetFileName(str(path))
@@ -242,7 +242,7 @@ def _is_empty_stl(path: Path) -> bool:
 
 
 def _check_stl(path: Path) -> None:
-    """Raises OSError if a binary file is too short for its number of triangles, as VTK does not."""
+    """Raises OSError if a binary file is too short for its triangles; VTK does not check."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")

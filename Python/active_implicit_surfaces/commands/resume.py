@@ -54,7 +54,9 @@ class Resumption(Sink):
             if view:
                 view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
         except (ValueError, KeyError, TypeError, IndexError) as error:
-            raise OSError(f"{self.notes} is damaged; remove it to start again.") from error
+            raise OSError(
+                f"{self.notes} is damaged; remove the file to make all skins again."
+            ) from error
         self._compare(then, past, times[:done])
         self._compare_files(files)
         with listening(surface) as heard:
