@@ -102,8 +102,8 @@ def choose(
     contains none of the values of a condition NAME=A,B, an error is raised. In place of either,
     `note`, if given, is called with the message.
 
-    A label selects points by the array "label" or "labels". An image is set to 1 at the label and
-    0 elsewhere.
+    A label selects points or polygons by the array "label" or "labels". An image is set to 1 at the
+    label and 0 elsewhere.
 
     Raises ValueError if there is no such array or value, if an image has no such label, or if
     conditions are given for an image.

@@ -259,7 +259,7 @@ def has_number(name: str | Path) -> bool:
 
 
 def numbered(name: str | Path, number: int) -> Path:
-    """Returns the name of a frame, with the number for ####, of at least as many digits.
+    """Returns the name of a frame: the number, with at least as many digits, replaces ####.
 
     Without #### the number is appended: skin_0007.ply.
     """
@@ -277,7 +277,7 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
 
 
 def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
-    """Returns the name for a label, which replaces a #### that frames do not need.
+    """Returns the name for a label; the label replaces a #### that frames do not need.
 
     Without such a #### the label is added if there are several labels.
     """

@@ -41,8 +41,8 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
     Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
-    floats. If arrays differ in width, vectors are split: _NAME_X, _NAME_Y ...; if wider than 4,
-    _NAME_0 ...
+    floats. More than 4 components are split into _NAME_0 ...; if arrays differ in width, vectors
+    are split into _NAME_X, _NAME_Y ...
     Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
     glTF. If single precision is too coarse, vertices are relative to an origin, which is the node's
     translation.
@@ -176,7 +176,7 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 
 
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
-    """Raises OSError unless the accessors of a .glb lie within its bytes, which VTK does not check.
+    """Raises OSError unless all accessors and references of a .glb are valid; VTK does not check.
 
     Returns three values: True for a file of this package, whose vertices have the data's
     coordinates; True for a file with meshes; the origin of the vertices, None for 0.

@@ -18,7 +18,7 @@ class LiveSurface:
     """Skin over a running simulation: `advance` takes a frame's particles and returns their skin.
 
     A call costs one frame, whatever the number of earlier frames. With `particle_spacing` and
-    without a preset, the skins are bitwise those of `frames` over the finished series.
+    without a preset, the skins are bitwise those of `frames` at the same times.
 
     Parameters
     ----------

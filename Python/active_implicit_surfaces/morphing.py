@@ -32,8 +32,8 @@ class morph(Skins):
         distances (inside below 0); for other images set ``target_iso_value`` and
         ``invert_target``. Objects of PyVista, trimesh and meshio are accepted.
     duration : float
-        Time at which `b` is reached to a tenth of a voxel (ArrivalTime, unless ``attraction`` is
-        given) [time]; more than 0. Default: 1.
+        Time [time] at which `b` is reached to a tenth of a voxel, unless ``attraction`` is given;
+        more than 0. Default: 1.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str

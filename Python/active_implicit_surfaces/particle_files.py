@@ -63,7 +63,7 @@ class ParticleFiles:
     """Frames of a series of files, or of one file with several frames.
 
     Attributes:
-    - names (list of Path): file of each frame; the first one of several parts.
+    - names (list of Path): file of each frame, or the first of its parts.
     - files (list of Path): all files.
     - numbers (list of int): frame numbers: the numbers in which the files' names differ, else 0, 1,
       2 ...
@@ -90,8 +90,8 @@ class ParticleFiles:
     def load(self, step: int) -> Any:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
-        Raises OSError if the file cannot be read, or its data have no points; ValueError if the
-        array of a condition is missing, or, for a single frame, all values of the condition.
+        Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
+        if the array of a condition is missing, or, for a single frame, all values of the condition.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:

@@ -324,7 +324,7 @@ def _picture(window: Any, size: tuple[int, int]) -> Any:
 
 
 def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
-    """Returns world positions of the pixels' centers, and distances along the camera's axis."""
+    """Returns world positions of pixels at these depths, and distances along the camera's axis."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
     cube = numpy.empty((len(depth), 4))

@@ -41,7 +41,7 @@ from .messages import listening, quiet
 from .particle_files import PARTICLE_SUFFIXES
 from .vtk_files import check_readable, read_vtk
 
-# Writers: a function of this package, or a class of VTK.
+# Writers: a function, or module and class.
 MESH_WRITERS: dict[str, Any] = {
     ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataWriter"),
     ".ply": write_ply,

@@ -1,4 +1,4 @@
-"""Solvent-excluded surface of atoms as an image of distances, exact at the image's points.
+"""Solvent-excluded surface of atoms as an image of distances, exact near the surface.
 
 A probe, a ball, rolls over the atoms; points that the probe cannot reach are inside. A probe of
 radius 0 gives the van der Waals surface. Possible centres of the probe are outside the accessible

@@ -176,6 +176,6 @@ def _draw(window: Any, renderer: Any, values: Any, name: str, count: int) -> Any
         values.SetInputComponentToProcess(component)
         window.Render()
         drawn.append(vtk_to_numpy(values.GetFloatImageDataArray(renderer)).astype(float))
-    # Replaces NaN of the background, which does not compare.
+    # Replaces NaN of the background, for which comparisons are false.
     numbers = numpy.stack(drawn, axis=1) if count > 1 else drawn[0]
     return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)

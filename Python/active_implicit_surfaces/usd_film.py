@@ -127,7 +127,7 @@ class UsdFilm(Sink):
             own = self._mesh.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble)
             moved = origin if self.up == "z" else turned_up(self.up, origin)
             own.Set(Gf.Vec3d(*moved.tolist()))
-            self._mesh.SetXformOpOrder([own, *others])  # the last one applies first
+            self._mesh.SetXformOpOrder([own, *others])  # the last operation applies first
         return origin
 
     def _add_primvar(self, name: str, values: Any, time: float) -> None:

@@ -98,7 +98,9 @@ def _reader_of(path: Path) -> Any:
     try:
         reader = getattr(importlib.import_module(module), name)()
     except ImportError as error:
-        raise OSError(f"{path} cannot be read: VTK here has no {name}; convert the file.") from error
+        raise OSError(
+            f"{path} cannot be read: VTK here has no {name}; convert the file."
+        ) from error
     if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
         _check_steps(path)
     reader.SetFileName(str(path))
@@ -144,14 +146,14 @@ def _check(path: Path, errors: list[str], failed: bool = False) -> None:
 
 
 def _is_empty(path: Path) -> bool:
-    """Returns True if a file of VTK's XML formats has no points, and so no point array."""
+    """Returns True if a file of VTK's XML formats has no points, and so no Points element."""
     with path.open("rb") as file:
         counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
     return bool(counts) and not any(map(int, counts))
 
 
 def _hint(path: Path) -> str:
-    """Returns a hint on Debian 12, where VTK 9.1 with its libexpat cannot read appended data."""
+    """Returns a hint for appended data with VTK 9.1, which fails with libexpat of Debian 12."""
     is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
     if not is_old or suffix_of(path) not in (".vtp", ".vtu", ".vti", ".pvtp", ".pvtu"):
         return ""

@@ -184,7 +184,7 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     if suffix_of(output) not in _MESHES:
         raise OSError(f"{output}: meshes are written as {', '.join(_MESHES)}.")
     note = note_once() if len(listing.frames) > 1 else None
-    up = options.up  # up axis of a .glb: from the first file with points, for all of them
+    up = options.up  # up axis of a .glb: from the first file with points, for all files
 
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]

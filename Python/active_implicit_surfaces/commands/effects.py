@@ -121,7 +121,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 
 
 def rows_of(own: properties.Property) -> list[str]:
-    """Returns the rows of a property: from the tables, its group and its documentation."""
+    """Returns the rows of a property: from the tables, the group and the comment."""
     groups = {
         "Motion": f"{_MOTION} particles",  # the first skin over particles is smoothed
         "Conservation": f"{_MOTION} particles",

@@ -66,7 +66,7 @@ class Resumption(Sink):
         return done
 
     def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
-        """Saves the state after a frame; if `now` is false, only if the last save is not recent."""
+        """Saves the state after a frame; if `now` is false, at most every 20 s."""
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
         before = self.notes.read_bytes() if self.notes.exists() else None
@@ -90,7 +90,7 @@ class Resumption(Sink):
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
         """Binds the state to a run; returns the first frame to make, 0 if `is_kept` is False.
 
-        Raises the errors of load(), and an error if the skin of an earlier frame is missing.
+        Raises the errors of load(), and OSError if the skin of an earlier frame is missing.
         """
         self._way, self._is_kept = way, is_kept
         if not is_kept:
