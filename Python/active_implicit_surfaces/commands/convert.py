@@ -150,7 +150,7 @@ def make_parser() -> Parser:
         help="value on the surface of an image (default: by kind: distance 0, fog 0.5, mask mean)",
     )
     add_choice_options(parser)
-    add_up_option(parser, "found", "in a .glb")
+    add_up_option(parser, "found; y in a .usdc", "in a .glb or .usdc")
     parser.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(parser)
     return parser

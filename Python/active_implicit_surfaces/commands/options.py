@@ -179,7 +179,7 @@ def add_picture_options(parser: Parser, up: str) -> None:
         help="size of pictures in pixels (default: {}x{})".format(*PICTURE_SIZE),
     )
     pictures.add_argument("--no-ground", action="store_true", help="draw no ground below the skin")
-    add_up_option(pictures, up, "of pictures and .glb")
+    add_up_option(pictures, up, "of pictures, .glb and .usdc")
 
 
 def add_up_option(group: Any, default: str, where: str) -> None:
