@@ -37,7 +37,7 @@ def read_molecule(lines: list[str]) -> Frames:
             place += 1
             continue
         if not re.fullmatch(r"\s*\d+\s*", lines[place]):
-            raise ValueError(f"line {place + 1} does not begin a frame by its number of atoms")
+            raise ValueError(f"line {place + 1} is not the number of atoms of a frame")
         count = int(lines[place])
         comment = lines[place + 1] if place + 1 < len(lines) else ""
         pairs = {name.lower(): value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}

@@ -32,7 +32,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
 def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
     """Returns the options with the box of the source; ValueError if periodic_bounds are given."""
     if "periodic_bounds" in options:
-        raise ValueError("Give periodic or periodic_bounds, not both.")
+        raise ValueError("Give either periodic or periodic_bounds, not both.")
     return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}
 
 

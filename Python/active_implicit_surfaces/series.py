@@ -228,7 +228,7 @@ def _loader(
     """Returns the loader of a step, the times, and the class of the data."""
     if callable(frames):
         if times is None:
-            raise TypeError("A function of time needs times; give `times`.")
+            raise TypeError("A function of time needs `times`; give the times of the frames.")
         own = check_times(times)
         first = frames(own[0])
         return lambda step: frames(own[step]) if step else first, own, _kind_of(first)

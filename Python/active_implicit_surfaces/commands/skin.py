@@ -146,9 +146,9 @@ def make_parser() -> Parser:
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
-            "Skins over particles or images: one for each frame, each evolved from the last. Files: "
-            f"{' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, a folder, a .series "
-            "or a .pvd are a series."
+            "Skins over particles or images: one for each frame, each evolved from the last. "
+            f"Files: {' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, a folder, "
+            "a .series or a .pvd are a series."
         ),
         epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option, such as "
         "--particle-model sum (list: --help-properties).",
