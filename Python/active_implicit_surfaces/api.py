@@ -100,7 +100,7 @@ def skin(
 
 
 class frames(Skins):
-    """Iterator over the skins of a series of particles or images, each evolved from the last skin.
+    """Iterator over the skins of a series of particles or images, each evolved from the previous.
 
     Parameters
     ----------

@@ -154,7 +154,9 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
     found = [path for path in found if not path.name.startswith(".")]
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
     if not found:
-        raise OSError(f"{folder} cannot be read: the folder has no file {', '.join(known)}.")
+        raise OSError(
+            f"{folder} cannot be read: the folder has no file with extension {', '.join(known)}."
+        )
     numbers = _numbers_in([path.name for path in found])
     series = Counter("*".join(numbers.split(path.name)[::2]) for path in found)
     if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):

@@ -15,7 +15,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     """Returns the value of PeriodicBounds for particles in a box.
 
     - frames (iterable of vtkDataSet): field data: "Lattice", edges of the box as rows [length];
-      optional "Origin", corner of the box [length], and "pbc", a flag for each periodic axis.
+      optional "Origin", corner of the box [length], and "pbc", a flag for each axis (1: periodic).
 
     Raises ValueError if there is no box, or if the box is slanted, not periodic, or changes.
     """

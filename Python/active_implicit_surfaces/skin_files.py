@@ -176,7 +176,7 @@ def surface_of(blocks: Any) -> Any:
 
 
 def write_particles(path: Path, cloud: Any) -> None:
-    """Writes points and their arrays in the format of the extension, completely or not at all."""
+    """Writes points, with the arrays that the format can hold, completely or not at all."""
     suffix = suffix_of(path)
     if suffix in (".vtp", ".ply", ".vtk"):
         write_mesh(path, _with_vertices(cloud) if cloud.GetNumberOfPoints() else cloud)

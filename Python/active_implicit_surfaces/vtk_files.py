@@ -163,7 +163,7 @@ def _hint(path: Path) -> str:
 
 
 def _check_obj(path: Path) -> None:
-    """Raises OSError unless each polygon corner refers to existing vertices and normals."""
+    """Raises OSError unless the corners of cells refer to existing vertices, textures, normals."""
     counts = {b"v": 0, b"vt": 0, b"vn": 0}
     faces = []
     for cells in _rows(path):

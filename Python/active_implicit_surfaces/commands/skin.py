@@ -146,7 +146,7 @@ def make_parser() -> Parser:
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
-            "Skins over particles or images: one for each frame, each evolved from the last. "
+            "Skins over particles or images: one for each frame, each evolved from the previous. "
             f"Files: {' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, a folder, "
             "a .series or a .pvd are a series."
         ),
