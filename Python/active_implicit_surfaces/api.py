@@ -207,7 +207,7 @@ class frames(Skins):
             told = where if isinstance(where, str) else " and ".join(where)
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
-            raise ValueError(f"{told}{more}; select other particles.")
+            raise ValueError(f"{told}{more}; relax the selection.")
         if probe is not None:
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
             self.source, arrays = self._atoms.source, None
