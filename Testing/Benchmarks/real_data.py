@@ -33,6 +33,7 @@ from skin_geometry import Skin  # noqa: E402
 from vtkmodules.vtkFiltersCore import (  # noqa: E402
     vtkFeatureEdges,
     vtkPolyDataConnectivityFilter,
+    vtkPolyDataNormals,
     vtkTriangleFilter,
 )
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader  # noqa: E402
@@ -123,13 +124,6 @@ def beside_splashsurf(folder, columns, files, spacing, counts):
     return table
 
 
-def counts_of(files):
-    """Number of particles of each frame, by the package."""
-    from active_implicit_surfaces import read
-
-    return [read(str(file)).GetNumberOfPoints() for file in files]
-
-
 def jet(data, folder):
     columns = {"skin": ours(folder / "skin", data / "vtk")}
     files = sorted((data / "vtk").iterdir(), key=lambda file: int(file.stem.split("_")[-1]))
@@ -213,7 +207,8 @@ def atlas(data, folder):
     image = nibabel.load(file)
     labels, table = np.asarray(image.dataobj), {}
     for label, region in LABELS.items():
-        seconds = ours(folder / f"skin{label}", file, "--label", str(label))[0]
+        ours(folder / f"skin{label}", file, "--label", str(label))
+        seconds = peers.seconds_of_filter(labels, label, image.affine)
         made = {f"skin: {region}": (next(meshes_in(folder / f"skin{label}")), seconds)}
         steps, sinc, seconds = peers.windowed_sinc(labels, label, image.affine)
         made |= {f"cubes: {region}": (steps, seconds), f"sinc: {region}": (sinc, seconds)}
@@ -227,7 +222,7 @@ def label_figures(mesh, seconds, inside, affine):
     skin = Skin(mesh)
     distances = np.abs(skin.distances(faces_of(inside) @ affine[:3, :3].T + affine[:3, 3]))
     return {
-        "seconds": seconds,
+        "seconds of the filters": seconds,
         "closed": is_closed(mesh),
         "pieces": pieces_of(mesh),
         "triangles": mesh.GetNumberOfPolys(),
@@ -283,18 +278,23 @@ PICTURES = {  # folders, frame, view
 }
 
 
+def with_normals(mesh):
+    """The mesh if the file has normals, else with normals of its triangles."""
+    if mesh.GetPointData().GetNormals():
+        return mesh
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
 def draw(case, folder):
     from film_strip import skin_actor, write_film_strip
-    from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
     names, frame, view = PICTURES[case]
-    shown = []
-    for name in names:
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(list(meshes_in(folder / name))[frame])
-        normals.SplittingOff()
-        normals.Update()
-        shown.append([skin_actor(normals.GetOutput())])
+    meshes = [list(meshes_in(folder / name))[frame] for name in names]
+    shown = [[skin_actor(with_normals(mesh))] for mesh in meshes]
     write_film_strip(folder / f"{case}.png", shown, view=view, width=900 * len(shown))
 
 

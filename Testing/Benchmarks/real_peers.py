@@ -3,10 +3,11 @@
 Run: python3 real_peers.py ovito METHOD PDB FOLDER, in a process of its own as OVITO brings Qt.
 """
 
-import os
+import resource
 import subprocess
 import sys
 import sysconfig
+import time
 from pathlib import Path
 
 import numpy as np
@@ -20,18 +21,15 @@ SPLASHSURF = (
 )
 
 
-def run(command, **environment):
+def run(command):
     """Runs a program; wall-clock and CPU seconds."""
-    import resource
-    import time
-
     def cpu():
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         return used.ru_utime + used.ru_stime
 
     print("$", " ".join(map(str, command)), flush=True)
     began, before = time.perf_counter(), cpu()
-    subprocess.run(command, check=True, env=os.environ | environment)
+    subprocess.run(command, check=True)
     return time.perf_counter() - began, cpu() - before
 
 
@@ -72,23 +70,26 @@ def run_ovito(method, atoms, folder):
         export_file(surface, f"{folder}/skin_{frame}.vtk", "vtk/trimesh")
 
 
-def windowed_sinc(labels, label, affine):
-    """Mesh of a label by vtkDiscreteMarchingCubes and windowed sinc, and the seconds."""
-    import time
-
+def image_of(labels, affine):
+    """The labels as VTK's image; the affine map has no rotation."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonDataModel import vtkImageData
-    from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
-    from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
 
     image = vtkImageData()
     image.SetDimensions(labels.shape)
     image.SetSpacing(np.diag(affine)[:3])
     image.SetOrigin(affine[:3, 3])
     image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(order="F"), deep=True))
-    began = time.perf_counter()
+    return image
+
+
+def windowed_sinc(labels, label, affine):
+    """Meshes of a label by vtkDiscreteMarchingCubes, and by windowed sinc; the seconds."""
+    from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
+    from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
+
     cubes, sinc = vtkDiscreteMarchingCubes(), vtkWindowedSincPolyDataFilter()
-    cubes.SetInputData(image)
+    cubes.SetInputData(image_of(labels, affine))
     cubes.SetValue(0, label)
     sinc.SetInputConnection(cubes.GetOutputPort())
     sinc.SetNumberOfIterations(20)
@@ -97,8 +98,20 @@ def windowed_sinc(labels, label, affine):
     sinc.FeatureEdgeSmoothingOff()
     sinc.NonManifoldSmoothingOn()
     sinc.NormalizeCoordinatesOn()
+    began = time.perf_counter()
     sinc.Update()
     return cubes.GetOutput(), sinc.GetOutput(), time.perf_counter() - began
+
+
+def seconds_of_filter(labels, label, affine):
+    """Seconds of vtkActiveImplicitSurface over a label."""
+    from active_implicit_surfaces import vtkActiveImplicitSurface
+
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputData(image_of((labels == label).astype(np.uint8), affine))
+    began = time.perf_counter()
+    surface.Update()
+    return time.perf_counter() - began
 
 
 if __name__ == "__main__":
