@@ -36,11 +36,12 @@ from vtkmodules.vtkFiltersCore import (  # noqa: E402
     vtkPolyDataNormals,
     vtkTriangleFilter,
 )
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader  # noqa: E402
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter  # noqa: E402
+from vtkmodules.vtkIOLegacy import vtkDataSetReader  # noqa: E402
 from vtkmodules.vtkIOPLY import vtkPLYReader  # noqa: E402
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
 
-READERS = {".vtp": vtkXMLPolyDataReader, ".ply": vtkPLYReader, ".vtk": vtkPolyDataReader}
+READERS = {".vtp": vtkXMLPolyDataReader, ".ply": vtkPLYReader, ".vtk": vtkDataSetReader}
 PROGRAM = [sys.executable, "-m", "active_implicit_surfaces"]
 
 
@@ -54,9 +55,10 @@ def meshes_in(folder):
     """Triangles of each frame, in order."""
     files = [file for file in folder.iterdir() if file.suffix in READERS]
     for file in sorted(files, key=lambda file: int(file.stem.split("_")[-1])):
-        reader, triangles = READERS[file.suffix](), vtkTriangleFilter()
+        reader, surface, triangles = READERS[file.suffix](), vtkGeometryFilter(), vtkTriangleFilter()
         reader.SetFileName(str(file))
-        triangles.SetInputConnection(reader.GetOutputPort())
+        surface.SetInputConnection(reader.GetOutputPort())
+        triangles.SetInputConnection(surface.GetOutputPort())
         triangles.PassVertsOff()
         triangles.Update()
         yield triangles.GetOutput()
@@ -68,7 +70,7 @@ def is_closed(mesh):
     edges.FeatureEdgesOff()
     edges.ManifoldEdgesOff()
     edges.Update()
-    return edges.GetOutput().GetNumberOfCells() == 0
+    return mesh.GetNumberOfPolys() > 0 and edges.GetOutput().GetNumberOfCells() == 0
 
 
 def pieces_of(mesh):
@@ -156,7 +158,7 @@ def grains(data, folder):
 
 
 def ball_volumes(frame):
-    rows = frame.split("ITEM: ATOMS")[1].splitlines()[1:]
+    rows = frame.split("ITEM: ATOMS")[1].split("ITEM:")[0].splitlines()[1:]
     return [4 / 3 * np.pi * float(row.split()[2]) ** 3 for row in rows]
 
 
