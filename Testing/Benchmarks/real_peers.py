@@ -23,6 +23,7 @@ SPLASHSURF = (
 
 def run(command):
     """Runs a program; wall-clock and CPU seconds."""
+
     def cpu():
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         return used.ru_utime + used.ru_stime

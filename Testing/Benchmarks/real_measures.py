@@ -1,0 +1,92 @@
+"""Measures of meshes and atoms for real_data.py."""
+
+import numpy as np
+from skin_geometry import Skin
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataConnectivityFilter
+
+
+def is_closed(mesh):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(mesh)
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.Update()
+    return mesh.GetNumberOfPolys() > 0 and edges.GetOutput().GetNumberOfCells() == 0
+
+
+def pieces_of(mesh):
+    parts = vtkPolyDataConnectivityFilter()
+    parts.SetInputData(mesh)
+    parts.SetExtractionModeToAllRegions()
+    parts.Update()
+    return parts.GetNumberOfExtractedRegions()
+
+
+def flicker(skins, spacing, first=30):
+    """Median of the second difference in time of heights [r], over the frames from `first`."""
+    corners = skins[-1].corners.reshape(-1, 3)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    lines = [np.linspace(low[a] + 2 * spacing, high[a] - 2 * spacing, 20) for a in (0, 2)]
+    columns = np.stack(np.meshgrid(*lines), axis=-1).reshape(-1, 2)
+    heights = np.array([skin.heights(columns, 10 * high[1], low[1]) for skin in skins[first:]])
+    return np.nanmedian(np.abs(np.diff(heights, n=2, axis=0))) / (0.5 * spacing)
+
+
+def faces_of(inside):
+    """Centres of the faces between a label and others, in voxels."""
+    padded, centers = np.pad(inside, 1), []
+    for axis in range(3):
+        places = np.argwhere(np.diff(padded.astype(np.int8), axis=axis)) - 1.0
+        places[:, axis] += 0.5
+        centers.append(places)
+    return np.concatenate(centers)
+
+
+def edge_angle(mesh):
+    """Mean angle between the normals of triangles that share an edge."""
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    normals = Skin(mesh).area_vectors()
+    normals /= np.linalg.norm(normals, axis=1)[:, None] + 1e-300
+    edges = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]))
+    order = np.lexsort(edges.T)
+    edges, owners = edges[order], np.tile(np.arange(len(corners)), 3)[order]
+    shared = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+    cosines = (normals[owners[shared]] * normals[owners[shared + 1]]).sum(axis=1)
+    return np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()
+
+
+def volume_with_probe(places, radii, probe, samples=200000):
+    """Volume of a solvent-excluded body by random points, extrapolated to infinitely many dots.
+
+    A point is inside if no free dot, on the balls enlarged by the probe, is within the probe.
+    """
+    from scipy.spatial import cKDTree
+
+    low, high = places.min(axis=0) - 4, places.max(axis=0) + 4
+    points = np.random.default_rng(0).uniform(low, high, (samples, 3))
+    kinds = [(radius, cKDTree(places[radii == radius])) for radius in np.unique(radii)]
+    near = np.any([tree.query(points)[0] < radius + probe for radius, tree in kinds], axis=0)
+    volumes = []
+    for count in (200, 400):
+        dots = cKDTree(free_dots(places, radii + probe, count))
+        inside = (dots.query(points[near])[0] > probe).sum()
+        volumes.append(np.prod(high - low) * inside / samples)
+    return 2 * volumes[1] - volumes[0]
+
+
+def free_dots(places, radii, count):
+    """Dots on balls that are in no other ball."""
+    from scipy.spatial import cKDTree
+
+    steps = np.arange(count) + 0.5
+    height, angle = 1 - 2 * steps / count, np.pi * (1 + 5**0.5) * steps
+    across = np.sqrt(1 - height * height)
+    sphere = np.stack([across * np.cos(angle), across * np.sin(angle), height], axis=1)
+    free = []
+    for ball, near in enumerate(cKDTree(places).query_ball_point(places, radii + radii.max())):
+        near.remove(ball)
+        dots = places[ball] + radii[ball] * sphere
+        gaps = ((dots[:, None] - places[near]) ** 2).sum(axis=2) - radii[near] ** 2
+        free.append(dots[(gaps > 0).all(axis=1)])
+    return np.concatenate(free)
