@@ -68,7 +68,44 @@ def column(surface, name):
     return list(vtk_to_numpy(surface.GetOutputDataObject(2).GetColumnByName(name)))
 
 
+def roughness_of(skin):
+    """Mean angle between the normals of adjacent triangles, weighted by area [rad]."""
+    corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    points = points_of(skin)[corners].astype(float)
+    normals = numpy.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0])
+    areas = numpy.linalg.norm(normals, axis=1)
+    normals /= numpy.maximum(areas, 1e-30)[:, None]
+    edges = numpy.sort(corners[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs = numpy.lexsort(edges.T).reshape(-1, 2) // 3  # each edge is in two triangles
+    cosines = (normals[pairs[:, 0]] * normals[pairs[:, 1]]).sum(axis=1)
+    weights = areas[pairs].min(axis=1)
+    return (numpy.arccos(numpy.clip(cosines, -1, 1)) * weights).sum() / weights.sum()
+
+
 class Truths(unittest.TestCase):
+    def test_tension_makes_no_waves(self):
+        """Over still particles the skin is as smooth after many frames as at first."""
+        points = numpy.random.default_rng(3).uniform(0, 10.7, (12**3, 3))
+        for voxel, tension, weighted in (
+            (R, -1, True),
+            (R / 2, -1, True),
+            (R / 2, 6 * R**2, True),
+            (R, 6 * R**2, False),
+            (R, 18 * R**2, True),
+            (R, 36 * R**2, True),
+        ):
+            with self.subTest(voxel=voxel, tension=tension, weighted=weighted):
+                surface = skin_of(
+                    lambda t: (points, numpy.arange(len(points))),
+                    steps=13,
+                    voxel=voxel,
+                    Attraction=6,
+                    Tension=tension,
+                    TensionWeighting=weighted,
+                )
+                first, last = (roughness_of(at(surface, t)) for t in (0, 12))
+                self.assertLess(last, 1.1 * first)
+
     def test_a_lone_particle_is_a_ball_of_its_own_radius(self):
         """The error is second order: the error of the volume decreases by 4 if the voxel is
         halved."""

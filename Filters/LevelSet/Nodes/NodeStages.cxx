@@ -13,19 +13,23 @@ namespace activesurface
 namespace
 {
 
-/** Least number of stages: four decays by e^(-1.5) at the usual Attraction dt = 6. */
-constexpr int FewestStages = 4;
+/** Least number of stages: five decays by e^(-1.2) at the usual Attraction dt = 6. With five stages
+ * differences over 2 and 4 nodes compute all of the automatic tension over voxels of r. */
+constexpr int FewestStages = 5;
 
 /** Without attraction, up to this number of stages compute all tension by differences over 2 nodes.
  * Wider differences are less accurate on thin parts. */
 constexpr int FineStages = 64;
+/** Largest Tension dt / h^2 of such a stage: explicit diffusion is stable up to 1/6. */
+constexpr float TensionOfFineStage = .15f;
 
-/** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
- * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Differences over 8 nodes do
- * not damp waves of 8 nodes: stages are unstable if these differences apply more than half of the
- * tension. */
-constexpr float TensionOfStage = .15f;
-constexpr float TensionOfStages = 10.f * TensionOfStage;
+/** Largest Tension dt / h^2 of another stage by differences over 2 and 4 nodes, and by these and
+ * differences over 8 nodes. A stage multiplies a wave on a flat surface by 1 - g; g is the sum of
+ * these tensions, each times the factor of its differences. Over all normals and waves g is at most
+ * 1.66. If g exceeded 2, waves of three nodes would grow from stage to stage. Differences over 8
+ * nodes compute a third of the tension at most: with half of it, waves of 8 nodes are damped so
+ * little that they show. */
+constexpr float TensionOfStage = .1f, SecondOfStage = .5f, TensionOfStages = .9f;
 
 /**
  * Factor of the attraction within the noise. With this factor and Attraction dt = 6, distances fall
@@ -85,13 +89,37 @@ struct DistanceKernel
   }
 };
 
-/** One of Count stages. W: number of nodes that the widest differences read on either side. */
+/** Number of stages, and the largest Tension dt / h^2 of all stages by differences over 2 and 4
+ * nodes. */
+struct StagePlan
+{
+  int Count;
+  float First, Second;
+};
+
+StagePlan PlanStages(const StageCoefficients& coefficients)
+{
+  const float tension = coefficients.Tension;
+  if (coefficients.Decay == 0.f && tension <= TensionOfFineStage * FineStages)
+  {
+    const int count = static_cast<int>(std::ceil(tension / TensionOfFineStage));
+    return { std::max(1, count), tension, 0.f };
+  }
+  constexpr float most = 1e6f;
+  const float wanted = std::min(std::ceil(tension / TensionOfStages), most);
+  const int fewest = coefficients.Decay == 0.f ? FineStages : FewestStages;
+  const int count = std::max(fewest, static_cast<int>(wanted));
+  return { count, TensionOfStage * static_cast<float>(count),
+    SecondOfStage * static_cast<float>(count) };
+}
+
+/** One of the plan's stages. W: number of nodes that the widest differences read on either side. */
 template <int W>
 struct StageKernel
 {
   const NodeFields& Fields;
   const StageCoefficients& Coefficients;
-  int Count;
+  const StagePlan& Plan;
   float Shift; // added to the potential, within the slack
 
   /** The first loop finds the tension of all rows. The second loop is a chain of divisions. The
@@ -155,13 +183,12 @@ private:
       return AllLanes(0.f);
     }
     const Lanes wanted = this->FindTension(bulk);
-    const float borne = TensionOfStage * static_cast<float>(this->Count);
-    const Lanes first = Least(wanted, AllLanes(borne));
+    const Lanes first = Least(wanted, AllLanes(this->Plan.First));
     Lanes pull = first * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 1>(c);
     if constexpr (W >= 2)
     {
       const Lanes rest = wanted - first;
-      const Lanes second = W == 2 ? rest : Least(rest, AllLanes(4.f * borne));
+      const Lanes second = W == 2 ? rest : Least(rest, AllLanes(this->Plan.Second));
       if (BitsOf(second > AllLanes(0.f)) != 0)
       {
         pull += second * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 2>(c);
@@ -190,7 +217,7 @@ private:
     const Lanes& u, const Lanes& psi, const Lanes& bulk, const Lanes& pull) const
   {
     const Lanes one = AllLanes(1.f), miss = psi - u;
-    const float share = 1.f / static_cast<float>(this->Count);
+    const float share = 1.f / static_cast<float>(this->Plan.Count);
     Lanes rate = AllLanes(this->Coefficients.Decay), lambda = one;
     if (this->Coefficients.Noise > 0.f)
     {
@@ -294,10 +321,10 @@ private:
 };
 
 template <int W>
-void RunStage(
-  const NodeFields& fields, const StageCoefficients& coefficients, int count, float shift)
+void RunStage(const NodeFields& fields, const StageCoefficients& coefficients,
+  const StagePlan& plan, float shift)
 {
-  fields.Leaves.RunKernel(StageKernel<W>{ fields, coefficients, count, shift });
+  fields.Leaves.RunKernel(StageKernel<W>{ fields, coefficients, plan, shift });
   std::swap(fields.Potential, fields.Room);
 }
 
@@ -329,30 +356,19 @@ void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   leaves.RunKernel(DistanceKernel{ leaves, potential, freedom, psi, isFree ? &slack : nullptr });
 }
 
-int CountStages(const StageCoefficients& coefficients)
-{
-  if (coefficients.Decay == 0.f && coefficients.Tension <= TensionOfStage * FineStages)
-  {
-    return std::max(1, static_cast<int>(std::ceil(coefficients.Tension / TensionOfStage)));
-  }
-  constexpr float most = 1e6f;
-  const float wanted = std::min(std::ceil(coefficients.Tension / TensionOfStages), most);
-  const int fewest = coefficients.Decay == 0.f ? FineStages : FewestStages;
-  return std::max(fewest, static_cast<int>(wanted));
-}
-
 void RunStages(const NodeFields& fields, const StageCoefficients& coefficients)
 {
-  const int count = CountStages(coefficients);
-  const float borne = TensionOfStage * static_cast<float>(count);
+  constexpr float rounded = 1.f + 1e-3f;
+  const StagePlan plan = PlanStages(coefficients);
+  const float tension = coefficients.Tension, both = (plan.First + plan.Second) * rounded;
   VolumeKeeper keeper(fields);
-  for (int stage = 0; stage < count; ++stage)
+  for (int stage = 0; stage < plan.Count; ++stage)
   {
     fields.Halo.Refresh(fields.Potential);
     const float shift = keeper.FindShift();
-    coefficients.Tension <= borne         ? RunStage<1>(fields, coefficients, count, shift)
-      : coefficients.Tension <= 5 * borne ? RunStage<2>(fields, coefficients, count, shift)
-                                          : RunStage<4>(fields, coefficients, count, shift);
+    tension <= plan.First ? RunStage<1>(fields, coefficients, plan, shift)
+      : tension <= both   ? RunStage<2>(fields, coefficients, plan, shift)
+                          : RunStage<4>(fields, coefficients, plan, shift);
   }
 }
 

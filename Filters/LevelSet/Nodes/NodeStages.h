@@ -54,9 +54,6 @@ struct NodeFields
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 
-/** Returns the number of stages for which the tension is stable. */
-int CountStages(const StageCoefficients& coefficients);
-
 /** Returns the fraction of a change of psi [voxels] that the potential follows in a frame. */
 float FindFollowedShare(const StageCoefficients& coefficients, float change, float bulk);
 
