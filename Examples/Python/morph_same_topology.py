@@ -1,7 +1,6 @@
 """A bent tube, the potential of a skeleton of segments, becomes a box; both are one piece.
 
-Figure 5 of the paper: a grid of 50^3, attraction 2, tension 0.01.
-Run: python3 morph_same_topology.py
+Figure 5 of the paper: a grid of 50^3, attraction 2. Run: python3 morph_same_topology.py
 """
 
 import math

@@ -201,6 +201,7 @@ def write_particles(path: Path, cloud: Any) -> None:
 def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
     if suffix == ".vtp":
         writer.SetDataModeToBinary()  # VTK 9.1 reads this mode with any libexpat
+        writer.SetCompressionLevel(1)  # half of the time of VTK's level 5, and files of that size
     if suffix == ".vtk":
         writer.SetFileTypeToBinary()
     if suffix == ".vdb" and mesh.IsA("vtkPolyData"):

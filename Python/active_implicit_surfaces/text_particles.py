@@ -101,10 +101,18 @@ def read_numpy(path: Path) -> Frames:
     With "counts" (particles of each frame) the rows of all frames are concatenated.
     """
     with path.open("rb") as file:
-        found = numpy.load(file, allow_pickle=False)
-        if isinstance(found, numpy.ndarray):
-            return _from_arrays({"positions": found})
-        return _from_arrays({name: found[name] for name in found.files})
+        try:
+            found = numpy.load(file, allow_pickle=False)
+            plain = isinstance(found, numpy.ndarray)
+            arrays = {"positions": found} if plain else {name: found[name] for name in found.files}
+        except ValueError as error:
+            if "allow_pickle" in str(error):
+                raise ValueError(
+                    "it has Python objects, which may contain code and are not loaded; save "
+                    "arrays of numbers (PySPH: install h5py and run again, for .hdf5)"
+                ) from None
+            raise
+        return _from_arrays(arrays)
 
 
 def _from_arrays(arrays: Mapping[str, Any]) -> Frames:

@@ -190,9 +190,10 @@ class Water(unittest.TestCase):
         edges.Update()
         rim = points_of(edges.GetOutput())[:, :2]
         self.assertGreater(len(rim), 4 * SIDE / VOXEL)
-        at_side = numpy.minimum(numpy.abs(rim), numpy.abs(rim - SIDE)).min(axis=1)
-        self.assertLess(numpy.median(at_side), 1.1 * less)
-        self.assertLess(at_side.max(), 0.2 * VOXEL)  # at edges VTK interpolates between two faces
+        nearest, other = numpy.sort(numpy.minimum(rim, SIDE - rim), axis=1).T
+        at_edge = other < 1.01 * VOXEL  # VTK cuts triangles across an edge of the box in one line
+        self.assertLess(nearest[~at_edge].max(), 1.1 * less)
+        self.assertLess(nearest[at_edge].max(), VOXEL)
         caps = measure(closed)["area"] - measure(skin)["area"]
         heights = DEPTH * SPACING - 2 * VOXEL, DEPTH * SPACING  # the edges of caps are round
         self.assertTrue(heights[0] < caps / (4 * SIDE) < heights[1], caps)
@@ -257,7 +258,7 @@ class Drops(unittest.TestCase):
         heard = Listener(surface)
         surface.UpdateTimeStep(0)
         told = " ".join(" ".join(heard.errors).split())
-        self.assertIn("too short for particles whose effect reaches a distance of 7.2", told)
+        self.assertIn("less than a quarter of 7.2, the distance at which particles", told)
 
     def test_balls_of_any_radius_have_their_copies(self):
         few = numpy.array([[2, y, z] for y in (0.2, 3.8) for z in (0.2, 3.8)])

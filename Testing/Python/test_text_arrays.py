@@ -51,6 +51,12 @@ class Readers(ReaderTest):
             for i, ((k, n, r, c, e), (x, y, z)) in enumerate(zip(residues, POSITIONS), 1)
         )
 
+    def test_objects_of_python_are_refused(self):
+        file = self.folder / "a.npz"
+        numpy.savez(file, particles=numpy.array({"fluid": 1}, dtype=object))
+        with self.assertRaisesRegex(OSError, "a.npz cannot be read .* it has Python objects"):
+            open_particles([str(file)])
+
     def test_each_format(self):
         gro = "{:5}{:<5}{:>5}{:5}{:8.3f}{:8.3f}{:8.3f}\n"
         ions = "".join(gro.format(1, name, name, 1, *place) for name, place in zip(SALT, POSITIONS))
