@@ -105,9 +105,9 @@ class frames(Skins):
     Parameters
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
-        See ParticleSeries; a ParticleSeries has its own times, fps and where. Images are masks of a
-        label, volume fractions (inside above 0.5) or distances (inside below 0); for other images
-        set ``target_iso_value`` and ``invert_target``.
+        See ParticleSeries; give times, fps and where to a ParticleSeries itself. Images are masks
+        of a label, volume fractions (inside above 0.5) or distances (inside below 0); for other
+        images set ``target_iso_value`` and ``invert_target``.
     times : sequence of float, optional
         See ParticleSeries [time].
     fps : float, optional
@@ -193,6 +193,9 @@ class frames(Skins):
         **options: Any,
     ) -> None:
         is_source = isinstance(particles, TemporalSource)
+        of_series = times is not None or fps is not None or where
+        if isinstance(particles, ParticleSeries) and of_series:
+            raise ValueError("Give times, fps and where to the ParticleSeries, not to frames.")
         options = properties.given(options)
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)

@@ -21,11 +21,12 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     """
     boxes = [_box_of(frame) for frame in frames]
     size = max(abs(number) for number in boxes[0])
-    if any(numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size for box in boxes):
-        raise ValueError(
-            f"The periodic box changes, from {_text(boxes[0])} to {_text(boxes[-1])}; the filter "
-            "needs one box. Give periodic_bounds, for all frames, in place of periodic."
-        )
+    for box in boxes:
+        if numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size:
+            raise ValueError(
+                f"The periodic box changes, from {_text(boxes[0])} to {_text(box)}; the filter "
+                "needs one box. Give periodic_bounds, for all frames, in place of periodic."
+            )
     return boxes[0]
 
 
@@ -37,7 +38,8 @@ def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]
 
 
 def _text(box: tuple[float, ...]) -> str:
-    return " x ".join(f"{high - low:g}" for low, high in zip(box[::2], box[1::2]))
+    sides = [high - low for low, high in zip(box[::2], box[1::2])]
+    return " x ".join(f"{side:g}" if side > 0 else "(no period)" for side in sides)
 
 
 def _box_of(frame: Any) -> tuple[float, ...]:

@@ -250,6 +250,10 @@ class Series(unittest.TestCase):
             active.frames(moving_grid(2), arrays={"colors": "c"})
         with self.assertRaisesRegex(ValueError, "give one"):
             active.frames(moving_grid(2), times=[0, 1], fps=10)
+        series = active.ParticleSeries(moving_grid(2))
+        for option in ({"times": [0, 1]}, {"fps": 10}, {"where": "x>0"}):
+            with self.assertRaisesRegex(ValueError, "to the ParticleSeries"):
+                active.frames(series, **option)
         with self.assertRaisesRegex(ValueError, "the whole array is one frame"):
             active.frames(grid())
 
