@@ -67,7 +67,7 @@ class OtherVTK(unittest.TestCase):
         last = done.stderr.splitlines()[-1]
         self.assertTrue(last.startswith("ImportError: active_implicit_surfaces was built"), last)
         self.assertIn(f"the VTK of the package {vtk_build.PACKAGE}, but", last)
-        self.assertIn("has loaded that of other; it cannot have both", last)
+        self.assertIn("has loaded that of other; a program cannot have both", last)
 
     def test_the_vtk_of_the_build_is_there(self):
         self.assertTrue(vtk_build.is_loaded(vtk_build.LIBRARY))

@@ -280,7 +280,7 @@ TEST(TestParticleModels, PlacesBeyondSinglePrecisionAreRefused)
   auto potential = MakePotential({ { 0, 0, 0 }, far });
   MessageCapture messages(potential);
   EXPECT_EQ(ValueAt(potential, { 0, 0, 0 }), 0.5);
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "10^9 of its own radii"), 1);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "10^9 times the smallest particle radius"), 1);
 }
 
 TEST(TestParticleModels, LinesAreRefused)
