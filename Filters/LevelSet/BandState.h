@@ -54,7 +54,7 @@ struct BandState
   /** Replaces the potential. Derives the layers from the signs and, in the paper's scheme, the
    * active nodes from the active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** Replaces the potential and the layers. In the default scheme, if HasGhosts, computes the
+  /** Replaces the potential and the layers. Unless Paper, and if HasGhosts, extrapolates the
    * ghosts from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   /** Sets the totals of a partitioned band; null: the band is whole. Call before replacing the

@@ -731,14 +731,14 @@ public:
   ///@}
 
   /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
-   * last one. The result is bitwise identical to that of the complete series. The frame becomes the
-   * input of port 0, and may be the same object with new contents. The first frame is at StartTime,
-   * or at the time of a loaded state; its dt is ignored. GetOutput() is at the newest frame,
-   * whatever time is requested. If a changed property restarts the motion, the newest frame is the
-   * first. Velocities do not use the next frame. Returns false, with an error, for a rejected
-   * frame, which changes nothing. Also returns false if the motion to the frame stops before its
-   * end (abort, MaximumNumberOfActiveVoxels). The frame is then kept: Update() or the next frame
-   * resumes. Range of dt: > 0, finite. */
+   * last one. The result is bitwise identical to that of the complete series, except velocities,
+   * which do not use the next frame. The frame becomes the input of port 0, and may be the same
+   * object with new contents. The first frame is at StartTime, or at the time of a loaded state;
+   * its dt has no effect. GetOutput() is at the newest frame, whatever time is requested. If a
+   * changed property restarts the motion, the motion starts at the newest frame, which keeps its
+   * time. Returns false, with an error, for a rejected frame, which changes nothing. Also returns
+   * false if the motion to the frame stops before its end (abort, MaximumNumberOfActiveVoxels). The
+   * frame is then kept: Update() or the next frame resumes. Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
   /** The next update restarts the motion (Advance: at StartTime). Drops a loaded state. */

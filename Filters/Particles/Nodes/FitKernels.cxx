@@ -26,7 +26,8 @@ constexpr float OffsetOfBody = .1f;
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Least support radius [radius in a body], and the densities between which the radius grows.
+// Support radius of a particle, divided by that in a body. It grows from LeastReach to 1 between
+// these densities of neighbours [particles per (2 r)^3].
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;

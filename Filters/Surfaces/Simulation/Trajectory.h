@@ -76,7 +76,8 @@ public:
   // Returns the last step that was reached; -1: not started.
   int GetStep() const { return this->Step; }
 
-  // Returns true if the surface has not moved from the first step, or has not started.
+  // Returns true if the surface has not started, or has not moved from the first step. With
+  // EQUILIBRIUM there is only the first step.
   bool IsAtStart() const { return this->Step <= 0 && !this->IsUnfinished() && !this->HasBranch(); }
 
   // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
