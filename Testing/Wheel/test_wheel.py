@@ -109,7 +109,7 @@ class BesidePyVista(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)
         last = done.stderr.splitlines()[-1]
         self.assertTrue(last.startswith("AttributeError: "), last)
-        self.assertIn("loaded that of vtk" + "modules; it cannot have both", last)
+        self.assertIn("loaded that of vtk" + "modules; a program cannot have both", last)
         self.assertIn("PYVISTA_VTK_BACKEND to cvista (it is vtk)", last)
 
     def test_the_other_backend_loaded_later_is_an_error_too(self):
