@@ -14,9 +14,9 @@ struct HistoryRow
 {
   double Time = 0.0;        //< pipeline time
   std::size_t Substeps = 0; //< since the previous row
-  double MaxSpeed = 0.0;    //< largest speed of attraction since the previous row
-  double Area = 0.0;        //< of the skin
-  double Volume = 0.0;
+  double MaxSpeed = 0.0;    //< largest speed of attraction [length/time], explicit substeps
+  double Area = 0.0;        //< of the skin [length^2]
+  double Volume = 0.0;      //< of the skin [length^3]
   std::size_t ActiveVoxels = 0;
   int Components = 0;
   int Voids = 0;

@@ -23,8 +23,8 @@ struct SavedState
   double Time = 0.0;                 //< pipeline time of the time step
   std::vector<HistoryRow> History;   //< up to Time
   double Spacing = 0.0;              //< particle spacing in use [length]; 0: unknown
-  double Bounds[6] = {};             //< of the domain, relative to Origin
-  double Reach = 0.0;                //< target reach [length]; 0: without a domain
+  double Bounds[6] = {};             //< of the lattice's domain, relative to Origin
+  double Reach = 0.0;                //< reach of the target [length]; 0: the state has no domain
 };
 
 }

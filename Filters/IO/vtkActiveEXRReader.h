@@ -16,7 +16,7 @@
  *
  * - HALF and FLOAT are read as float without loss, including NaN and infinity. UINT is read as
  *   unsigned int.
- * - Colors are returned as the file stores them: linear.
+ * - Colors are not converted: in EXR files they are linear.
  * - A sample of a subsampled channel is repeated over its pixels.
  * - Scanline files are read, and the finest level of tiled files. Deep data is an error.
  * - Attributes of the header that consist of numbers or texts become field data of the output, by
@@ -121,8 +121,8 @@ public:
   ///@{
   /**
    * Parts of the file, or of the first file of a series; available after UpdateInformation(). The
-   * name of an unnamed part is empty. Types are scanlineimage, tiledimage, deepscanline and
-   * deeptile.
+   * name of an unnamed part is empty; an index out of range returns null. Types are scanlineimage,
+   * tiledimage, deepscanline and deeptile.
    */
   int GetNumberOfParts();
   const char* GetPartName(int part);

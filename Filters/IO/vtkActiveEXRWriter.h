@@ -231,8 +231,8 @@ public:
 
   ///@{
   /**
-   * Number that replaces a run of # or %d in FileName; with WriteAllTimeSteps, the number of the
-   * first file. Range: 0 to 100000000. Default: 0.
+   * Number that replaces a run of #, %d or %04d in FileName; with WriteAllTimeSteps, the number of
+   * the first file. Range: 0 to 100000000. Default: 0.
    */
   vtkSetClampMacro(FrameNumber, int, 0, 100000000);
   vtkGetMacro(FrameNumber, int);

@@ -40,7 +40,7 @@ struct vtkActiveVDBReader::Internals
     return i >= 0 && i < static_cast<int>(grids.size()) ? &grids[i] : nullptr;
   }
 
-  // Region as a box in voxels.
+  // Returns the box that Region selects, in index coordinates.
   openvdb::CoordBBox FindBox(const vtkActiveVDBReader* reader) const;
 };
 

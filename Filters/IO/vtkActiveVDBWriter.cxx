@@ -301,7 +301,7 @@ void vtkActiveVDBWriter::WriteSteps()
   }
 }
 
-// Rank 0 has all data of the file.
+// Rank 0 writes. Collective if the input's state is distributed (Gather).
 void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data, int frame)
 {
   auto attached = data ? activesurface::GetAttachedState(data->GetInformation()) : nullptr;

@@ -22,8 +22,8 @@
  *   set, those within 3 voxels; see GridClass.
  *
  * @par Metadata of the file and of all grids
- * - creator, time [pipeline time], frame (number of the time step), units, and motion_X for each
- *   property X of the filter that determines the motion.
+ * - creator, time [pipeline time] (0 if the input has none), frame (number of the time step),
+ *   units, and motion_X for each property X of the filter that determines the motion.
  *
  * @par Errors
  * - A file is written under a temporary name, validated and then renamed, so it appears as a whole
@@ -79,9 +79,9 @@ public:
   ///@{
   /**
    * Adds the grid "potential", the state without loss, from which the filter's LoadState resumes
-   * bitwise identically. The input has to be a vtkActiveImplicitSurface at one of its time steps;
-   * there is no state between two time steps. The state is never written as half floats. Default:
-   * off.
+   * bitwise identically. The input has to be a vtkActiveImplicitSurface with EvolutionMode
+   * TRANSIENT, at one of its time steps; there is no state between two time steps, or in a steady
+   * state. The state is never written as half floats. Default: off.
    */
   vtkSetMacro(WriteState, vtkTypeBool);
   vtkGetMacro(WriteState, vtkTypeBool);
@@ -91,7 +91,7 @@ public:
   ///@{
   /**
    * Adds the grid "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels.
-   * For surfaces and meshes only. Default: off.
+   * An error with an image. Default: off.
    */
   vtkSetMacro(WriteDensity, vtkTypeBool);
   vtkGetMacro(WriteDensity, vtkTypeBool);

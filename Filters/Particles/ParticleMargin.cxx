@@ -10,7 +10,8 @@ namespace activesurface
 
 int FindMarginOfNodes(const NodeParticleOptions& options, double longestReach)
 {
-  // Margins around nodes and leaves [voxels], and of full cells [own radii].
+  // Margins around nodes and around leaves [voxels], and around full cells (ParticleBlocks.h) [own
+  // radii].
   constexpr double nodesAround = 5.0, leafAround = 12.0, cellsBeside = 4.0;
   // The centre of an ellipsoid is nearer to its particle than the radius of the neighbourhood.
   const double wide = GetNeighbourhoodPerRadius(options.Model) * longestReach;

@@ -1,8 +1,8 @@
 // Models of a fluid body made of particles.
 //
-// A particle has two lengths. The own radius r, as given or half of the usual spacing, is the
-// radius of the surface of an isolated particle. The influence of a particle ends at the support
-// radius R.
+// A particle has two lengths: the own radius r, given or half of the particle spacing, and the
+// support radius R, where its kernel ends in a body. With Anisotropic, the surface of an isolated
+// particle is a ball of radius r.
 
 #ifndef ParticleModel_h
 #define ParticleModel_h

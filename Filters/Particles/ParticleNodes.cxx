@@ -15,11 +15,11 @@ namespace
 
 // Kernel radius of the means of motion and bulk [own radii].
 constexpr double ReachOfMotion = 4.5;
-// Distance from a particle of a body to the skin, minus the own radius [own radii].
+// Distance from an outermost particle of a body to the skin, minus 1 [own radii].
 constexpr double BeyondOwnRadius = 0.1;
 // Least half width of the shell around the skin [voxels]. See FindShellRadius.
 constexpr double Band = 3.0;
-// A longer displacement counts as unknown [voxels].
+// A displacement of this length or more along an axis counts as unknown [voxels].
 constexpr double LongestDisplacement = 1e6;
 
 void CheckPlace(double place)
@@ -139,9 +139,9 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
   this->FindFits();
 }
 
-// Returns the radius of a ball around a particle [length]. All nodes in this ball are in the shell.
-// A gap of two own radii between particles can be inside their body, so the shell includes such a
-// gap.
+// Returns the radius of a ball around a particle [length]. The nodes in this ball are in the shell,
+// except in full cells. A gap of two own radii between particles can be inside their body, so the
+// shell includes such a gap.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
   // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be

@@ -1,10 +1,10 @@
 // Particles as a target at the nodes of a lattice: see NodeTarget.h in LevelSet.
 //
 // The potential of ellipsoids is G = 1 - S^(1/4), with S the sum of strength (1 - d^2)^3. Here d is
-// the distance from the centre of an ellipsoid, divided by that to its surface. The skin of a body
-// is near the ends of the kernels' supports, where S grows with the fifth power of the depth below
-// these ends. At the skin of an isolated particle, S grows with the third power. The fourth root is
-// nearly linear in both cases.
+// the distance from the centre of an ellipsoid, divided by the ellipsoid's radius in the same
+// direction. The skin of a body is near the ends of the kernels' supports, where S grows with the
+// fifth power of the depth below these ends. At the skin of an isolated particle, S grows with the
+// third power. The fourth root is nearly linear in both cases.
 //
 // The columns are in voxels, with positions relative to a block or leaf, so that single precision
 // suffices anywhere.
@@ -43,31 +43,32 @@ protected:
 struct NodeParticleOptions
 {
   ParticleModel Model = ParticleModel::Anisotropic;
-  double VoxelSize = 1.0;
+  double VoxelSize = 1.0; // [length]
   double OwnRadius = 0.0; // [length]; 0: support radius / ReachPerRadius
   double ReachPerRadius = 4.5;
   double Anisotropy = 4.0;       // largest ratio of an ellipsoid's axes
-  bool WantsBulks = true;        // otherwise all bulks are 1
+  bool WantsBulks = true;        // false: all bulks are 1 with ParticleModel::Sum
   bool AreForPoints = false;     // fits for any point (ParticlePotential), not only for nodes
   bool HasVelocities = false;    // otherwise no particle moves
-  double Duration = 0.0;         // of the motion; multiplies the velocities
+  double Duration = 0.0;         // of the motion [pipeline time * TimeScale]
   bool HasNoise = false;         // removes the noise of single particles from the motion of a body
   const Domain* Space = nullptr; // partition among ranks; only for ParticleModel::Anisotropic
 };
 
-// Longest half-axis of an ellipsoid over the support radius, for a particle in a body.
+// Longest half-axis of an ellipsoid, divided by the support radius, for a particle in a body.
 constexpr double StretchInBody = 1.3;
 
 // Returns the distance from a rank's leaves, along each axis, within which the rank needs particles
-// [voxels].
+// [voxels]. longestReach: longest support radius [length].
 VTKACTIVEPARTICLES_EXPORT int FindMarginOfNodes(
   const NodeParticleOptions& options, double longestReach);
 
 class VTKACTIVEPARTICLES_EXPORT ParticleNodes
 {
 public:
-  // Reuses allocated memory. Collective with a domain: the given particles then have to include all
-  // particles within the margin around this rank's partition.
+  // Reuses allocated memory. Throws std::runtime_error for a coordinate of at least 10^9 voxels,
+  // and like NodeFits::Find. Collective with options.Space: the given particles then have to
+  // include all particles within FindMarginOfNodes of this rank's partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
   void FindShell(bool wantsInside, Shell& shell) const;
@@ -77,7 +78,7 @@ public:
   const ParticleBlocks& GetBlocks() const { return this->Blocks; }
   const NodeFits& GetFits() const { return this->Fits; }
 
-  // Only for ParticleModel::Anisotropic.
+  // EvaluateLeaf needs ParticleModel::Anisotropic.
   void EvaluateLeaf(const ShellLeaf& leaf, float* values) const;
   void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const;
 

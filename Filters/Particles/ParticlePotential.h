@@ -1,7 +1,7 @@
 // Potential of particles at any point: F = (1 - S) / 2, negative inside. S is the sum of strength
-// (1 - d^2)^3 over the ellipsoids that the node scheme fits to the particles (Nodes/NodeFits.h); d
-// as in ParticleNodes.h. Functions and explicit substeps use this potential. The node scheme uses
-// ParticleNodes.h, which evaluates S at nodes.
+// (1 - d^2)^3 over ellipsoids fitted to the particles (Nodes/NodeFits.h, without HasTriangles); d
+// as in ParticleNodes.h. Implicit functions and explicit substeps use this potential. The node
+// scheme uses ParticleNodes.h, which evaluates S at nodes.
 //
 // F and its gradient are bitwise identical for any batch, thread and instruction set.
 
@@ -21,19 +21,20 @@ class VTKACTIVEPARTICLES_EXPORT ParticlePotential
 {
 public:
   // Call before the first evaluation. Uses the options' model, radii and anisotropy. Particles with
-  // a strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws like
-  // ParticleNodes, and std::invalid_argument for particles farther from the origin than 10^9 times
-  // the smallest own radius.
+  // a strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws
+  // std::invalid_argument for too many neighbours (NodeFits::Find), and for a coordinate of at
+  // least 10^9 times the smallest own radius.
   void Build(const std::vector<SkeletonVertex>& particles, NodeParticleOptions options);
 
-  // Evaluates at points (x y z each); gradients may be null. Returns NaN at a point that is not
-  // finite. Thread-safe.
+  // Evaluates at points (x y z each); gradients may be null. Values and gradients are NaN at a
+  // point that is not finite. Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
-  // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false without an ellipsoid.
+  // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false if the particle has
+  // no ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
-  // For a particle at the edge of a body, finds the vector away from its neighbours, one spacing
+  // For a particle at the edge of a body, finds the vector away from its neighbours, two own radii
   // long. Returns false for other particles.
   bool FindOutward(std::size_t particle, double (&outward)[3]) const;
 

@@ -25,8 +25,9 @@ namespace activesurface
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
-  // The caller owns the frames. later and matches may both be null. For a track that begins at the
-  // later of two steps, exchange the frames, invert the matches, and set a duration < 0.
+  // The caller owns the frames. later and matches may both be null. Throws std::invalid_argument if
+  // the box is less than a quarter of its margin long. For a track that begins at the later of two
+  // steps, exchange the frames, invert the matches, and set a duration < 0.
   ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
     std::shared_ptr<const ParticleMatches> matches, const PeriodicBox& box, double fraction);
 
@@ -49,8 +50,8 @@ public:
   // FindVelocity returns false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
-  // Returns x y z for each particle, NaN where unknown: the velocities of the frames if available,
-  // otherwise those of FindVelocity.
+  // Returns x y z for each particle, NaN where unknown: the velocities of the frames if one of them
+  // has velocities, otherwise those of FindVelocity.
   std::vector<double> ListVelocities() const;
 
   // Interpolates a value linearly; a particle in only one step keeps the value of that step.

@@ -55,7 +55,7 @@ struct RayPoints
 RayPoints MakeRayPoints(const SurfaceSample& surface, double thickness)
 {
   constexpr double within = 0.99; // tolerance, so that parts of exactly this thickness are not thin
-  constexpr double part = 0.25;   // fraction of the detail: resolves its slopes
+  constexpr double part = 0.25;   // step / smaller of thickness and Detail
   constexpr double mostSteps = 256.0;
   const double length = (surface.IsMiddle ? 0.5 : 1.0) * within * thickness;
   const double step = part * std::min(thickness, surface.Detail);

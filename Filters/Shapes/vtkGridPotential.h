@@ -36,9 +36,9 @@
  * @par Errors
  * - Bad input is an error, issued once when the input is read and returned by GetError(). F is then
  *   1 everywhere (outside) with gradient 0, as without input.
- * - Unusable inputs: other classes of data, flat images (of one pixel along an axis), arrays that
- *   are missing or have several components, axes that are not orthogonal, meshes without polygons,
- *   and lattices that are too large.
+ * - Unusable inputs: other classes of data, empty or flat images (of one pixel along an axis),
+ *   arrays that are missing or have several components, axes that are not orthogonal, meshes
+ *   without valid polygons, and lattices that are too large.
  * - With usable input, F and its gradient are NaN if x is not finite.
  *
  * @par Threads
@@ -218,8 +218,9 @@ public:
 
   /**
    * Fraction of the surface's area, 0 to 1, that belongs to parts thinner than `thickness`, from
-   * some thousand points of the surface. Returns 0 if the fraction is unavailable: without input,
-   * for an open mesh without a shell, and for a level set that an image carries. Reads the input.
+   * some thousand points of the surface. Returns 0 if the fraction is unavailable: without usable
+   * input, for an open mesh without a shell, and for a level set that an image carries. Reads the
+   * input.
    */
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 

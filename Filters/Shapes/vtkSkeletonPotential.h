@@ -41,13 +41,15 @@
  * - An ellipsoid is fitted to the neighbourhood of each point (Yu, Turk 2013), as by
  *   vtkActiveImplicitSurface.
  * - F is computed in single precision, to about 1e-6.
- * - An isolated point is a ball of its own radius r, half of ParticleSpacing.
- * - The surface of a body passes at distance r outside its outermost points: a layer is a plane,
- *   and N points in a box have a volume of about N (2 r)^3.
+ * - An isolated point is a ball of its own radius r: half of ParticleSpacing or, if automatic,
+ *   Radius / 4.5.
+ * - The surface of a body passes at about the distance r outside its outermost points: a layer is a
+ *   plane, and N points in a box have a volume of about N (2 r)^3.
  * - Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
  *   Threshold apply only to SUM.
  *
- * With c_i, G_i the centre and the shape of an ellipsoid, s_i the strength of its point:
+ * With c_i, G_i the centre and the shape of an ellipsoid, s_i the strength of its point, normalized
+ * by the neighbours, and the sum over all i with q_i < 1:
  *
  *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *
@@ -55,8 +57,8 @@
  * - Elements are ignored if a coordinate, radius or strength is not finite (or above 1e100), a
  *   radius is <= 0 (or below 1e-100), or a point does not exist. GetNumberOfIgnoredElements()
  *   counts ignored elements. A warning is issued once when the input is read.
- * - A named array that is missing or does not have one number per point is an error. F is then
- *   1/2 everywhere: all space is outside. Without input or elements F is Threshold (1/2 with
+ * - After an error, such as a named array that is missing or does not have one number per point, F
+ *   is 1/2 everywhere: all space is outside. Without input or elements F is Threshold (1/2 with
  *   ANISOTROPIC) everywhere.
  * - F and its gradient are NaN if x is not finite.
  *
@@ -102,8 +104,8 @@ public:
   ///@{
   /**
    * Points and segments, see above. The data set is read at the first evaluation after a change of
-   * the data set, its points or its arrays (of their MTime). Default: none, F is Threshold
-   * everywhere.
+   * the data set, its points or its arrays (of their MTime). Default: none, F is Threshold (1/2
+   * with ANISOTROPIC) everywhere.
    */
   void SetInput(vtkPointSet* input);
   vtkPointSet* GetInput();
@@ -184,8 +186,8 @@ public:
 
   ///@{
   /**
-   * Usual distance of neighbours [length], twice a point's own radius; not used by SUM.
-   * Range: 1e-100 to 1e100, or -1, automatic: 1 / 2.25 of a point's Radius. Default: -1.
+   * Distance of neighbouring points [length], twice a point's own radius; not used by SUM.
+   * Range: 1e-100 to 1e100, or -1, automatic: 1 / 2.25 of a point's radius. Default: -1.
    */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);

@@ -14,7 +14,7 @@ namespace activesurface
 
 // Inserts the number into the pattern. The number replaces the last run of # in the file's name,
 // padded by zeros to the length of the run. Without #, the number replaces %d or %0Nd. Without any
-// placeholder, inserts four digits before the extension if `always` is true.
+// placeholder, inserts at least four digits before the extension if `always` is true.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
 // Times of the files of a series; NaN: unavailable. If a time is not finite, or the times do not
@@ -25,7 +25,7 @@ public:
   FileTimes() = default;
   explicit FileTimes(std::vector<double> stated);
 
-  // Returns the index of the file for the requested time of an output.
+  // Returns the index of the file for the requested time of an output; 0 without a request.
   int FindFile(vtkInformation* output) const;
   // Sets the time steps of an output, if there are several files.
   void Publish(vtkInformation* output) const;

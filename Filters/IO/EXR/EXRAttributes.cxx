@@ -144,7 +144,7 @@ void Add(const char* name, const std::vector<Number>& numbers, vtkFieldData* dat
   data->AddArray(array);
 }
 
-// Returns false for an attribute of another type.
+// Copies an attribute of type Value. Returns false for an attribute of another type.
 template <class Value>
 bool Copy(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
 {

@@ -105,8 +105,8 @@ int CountLinesOfChunk(Imf::Compression compression)
 }
 
 // Returns an upper bound of the ratio of unpacked to packed bytes: 1 without compression, else that
-// of deflate. RLE, PIZ and B44 have lower ratios. DWA has 64 times this bound, as it deflates the
-// means of blocks of 64 pixels.
+// of deflate. RLE, PIZ and B44 have lower ratios. DWA, which deflates the means of blocks of 64
+// pixels, has 64 times this bound.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;

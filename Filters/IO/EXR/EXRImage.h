@@ -81,7 +81,8 @@ const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part);
 std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& selection);
 
 // Fills an empty image: point arrays from the layers, field data from the attributes. The extent
-// may differ from the data window. Throws FileError if more than `limit` bytes are needed.
+// may differ from the data window. Throws FileError if more than `limit` bytes are needed, or the
+// part cannot be read.
 void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection,
   const EXRExtent& extent, double limit, vtkImageData* image);
 

@@ -38,7 +38,8 @@ struct EXRSamples
   std::vector<char> Converted; // converted samples if First does not point into the array
 };
 
-// Throws FileError if a value does not fit into the type. The source has to outlive the samples.
+// Throws FileError if a value does not fit into the type, or the array's type is not supported. The
+// source has to outlive the samples.
 EXRSamples MakeSamples(const EXRSource& source);
 
 }

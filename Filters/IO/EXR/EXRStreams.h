@@ -33,7 +33,7 @@ public:
   void seekg(std::uint64_t position) override;
 
   std::uint64_t GetSize() const { return this->Size; }
-  // Returns true if a read went beyond the end.
+  // Returns true if a read or a seek went beyond the end.
   bool HasEndedEarly() const { return this->EndedEarly; }
 
 private:

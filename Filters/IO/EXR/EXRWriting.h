@@ -33,8 +33,8 @@ struct EXRChoices
   bool FromSRGB = false;
 };
 
-// Returns all channels, sorted by name. Throws FileError if two channels have the same name, or if
-// there is no channel.
+// Returns all channels, sorted by name. Throws FileError if there is no channel, if a channel's
+// name is missing, too long or used twice, or if a requested component does not exist.
 std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choices);
 
 struct EXRHeaderSettings
@@ -51,8 +51,8 @@ struct EXRHeaderSettings
   std::map<std::string, double> Numbers;
 };
 
-// Throws FileError on failure, and then keeps an existing file. The text of the error does not name
-// the file; the caller adds the name.
+// Throws std::exception on failure (FileError, or OpenEXR's), and then keeps an existing file. The
+// text of the error does not name the file; the caller adds the name.
 void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
   const std::vector<EXRSource>& sources);
 

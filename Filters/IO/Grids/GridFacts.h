@@ -1,5 +1,5 @@
-// Facts of a grid in a .vdb file that are available without reading the grid. A null grid yields
-// defaults.
+// Facts of a grid in a .vdb file that are available without reading the grid. A null grid yields an
+// empty text, an empty box or 0.
 
 #ifndef GridFacts_h
 #define GridFacts_h
@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-// "level set", "fog volume", ...; "unknown" if the grid has no class.
+// Returns the class: "level set", "fog volume" or another; "unknown" if the grid has no class.
 const char* GetGridClass(const VDBGrid* grid);
 
 // Returns the time of each file: the metadata "time" of the file, else of the first grid; NaN if

@@ -28,9 +28,10 @@ struct ChosenGrids
   openvdb::CoordBBox FindActiveBox() const;
 };
 
-// Chooses grids by name; without names, chooses the best grid by class. Throws std::exception if
-// the file cannot be read. Throws std::invalid_argument, with a list of the available grids, if a
-// name is unknown.
+// Chooses grids by name; without names, chooses the first level set, else the first fog volume,
+// points or other grid. Throws std::exception if the file cannot be read. Throws
+// std::invalid_argument if a name is unknown (with a list of the grids), a grid cannot be read, or
+// several grids are not volumes of one transform.
 ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names);
 
 // Position and size of an image whose points are every `factor`th voxel of a grid.

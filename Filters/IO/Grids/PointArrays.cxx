@@ -209,7 +209,7 @@ void AddAttributes(const Leaves& leaves, std::int64_t count, vtkPointData* data)
   }
 }
 
-// Adds an array for each group: 1 for its points, else 0.
+// Adds an array for each group: 1 for points of the group, else 0.
 void AddGroups(const Leaves& leaves, std::int64_t count, vtkPointData* data)
 {
   for (const auto& group : leaves.front()->attributeSet().descriptor().groupMap())

@@ -24,7 +24,7 @@ using openvdb::Vec3d;
 struct Nearest
 {
   std::int32_t Triangle = -1;
-  double Square = std::numeric_limits<double>::infinity(); // distance to the nearest triangle
+  double Square = std::numeric_limits<double>::infinity(); // squared distance to Triangle
   Vec3d Foot;
 };
 
@@ -223,7 +223,7 @@ private:
     return stored;
   }
 
-  // Returns the neighbours of the layer's nodes that have no distance yet.
+  // Returns the neighbours of the layer's nodes that were not visited before.
   Layer Grow(const Layer& layer)
   {
     auto known = this->Result.Triangles->getConstUnsafeAccessor();

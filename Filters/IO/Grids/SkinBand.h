@@ -40,7 +40,8 @@ struct LatticeMesh : LatticeTriangles
 // Returns the skin in the coordinates of the band's lattice.
 LatticeMesh MakeSkinMesh(const NarrowBand& band);
 
-// mesh: the result of MakeSkinMesh for this band.
+// Returns the distances [voxels] and the nearest triangles at the nodes within HalfWidth of the
+// skin. mesh: the result of MakeSkinMesh for this band.
 MeshBand MakeSkinBand(const NarrowBand& band, const LatticeMesh& mesh);
 
 }

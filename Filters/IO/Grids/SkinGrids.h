@@ -14,7 +14,8 @@ namespace activesurface
 // Throws std::invalid_argument for voxels too small for OpenVDB.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 
-// Returns "density", a fog: 1 inside, falling to 0 at the surface within the half width.
+// Returns "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels
+// (HalfWidth).
 openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface);
 
 // Returns a point array's values at the nodes near the surface. Floating-point numbers are

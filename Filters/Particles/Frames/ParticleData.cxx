@@ -109,7 +109,7 @@ bool ArePositions(const Group& group)
     std::end(NamesOfPositions);
 }
 
-// Groups the columns of vectors. Groups are in the order of their first columns.
+// Groups the columns of vectors. A vector has the place of its component 0 among the groups.
 std::vector<Group> GroupColumns(vtkTable* table)
 {
   std::map<std::string, std::array<vtkAbstractArray*, 3>> vectors;
@@ -266,7 +266,7 @@ std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
 
 bool HasVerticesOnly(vtkPointSet* points)
 {
-  if (auto polyData = vtkPolyData::SafeDownCast(points)) // accessing cell types may build them
+  if (auto polyData = vtkPolyData::SafeDownCast(points)) // GetCellTypes may build cells
   {
     return polyData->GetNumberOfCells() == polyData->GetNumberOfVerts();
   }

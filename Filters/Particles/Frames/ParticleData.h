@@ -20,13 +20,14 @@ namespace activesurface
 //   vector become one array.
 // - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
 //   A point array is kept if all blocks with points have it, with the same type and number of
-//   components. If only one block has points, that block itself is returned.
+//   components. If only one block has points, the result is that block; if none has, an empty
+//   vtkPolyData.
 // Returns null for any other class and for adaptive mesh refinement (AMR). Throws
-// std::invalid_argument for a table without positions, or if one of several blocks with points does
-// not consist of particles.
+// std::invalid_argument for a table without numeric positions, for a block that is neither data set
+// nor table, or if one of several blocks with points does not consist of particles.
 VTKACTIVEPARTICLES_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
 
-// Returns true for AMR, whose blocks overlap. AMR is a vtkDataObjectTree since VTK 9.6.
+// Returns true for AMR, whose blocks may overlap. AMR is a vtkDataObjectTree since VTK 9.6.
 VTKACTIVEPARTICLES_EXPORT bool HasLevels(vtkDataObject* data);
 
 }

@@ -107,7 +107,8 @@ void Sort(ParticleFrame& frame)
   frame.Permute(order);
 }
 
-// Copies the velocities of the particles. Readers treat values that are not finite as unavailable.
+// Copies the velocities of the particles. Values that are not finite are kept, and mean that a
+// velocity is unavailable.
 void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
   if (velocities)

@@ -99,8 +99,8 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
   bool GetBounds(double bounds[6]) const;
 };
 
-// Throws std::invalid_argument for arrays that cannot be radii, ids, strengths or velocities of the
-// points.
+// Reads the usable points, in the order of ParticleOrder.h. Throws std::invalid_argument for arrays
+// that cannot be radii, ids, strengths or velocities of the points.
 VTKACTIVEPARTICLES_EXPORT ParticleFrame ReadParticles(
   vtkPointSet* points, const PointArrays& arrays);
 

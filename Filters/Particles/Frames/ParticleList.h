@@ -121,7 +121,7 @@ public:
     }
   }
 
-  // Sorts the list: the particle order[i] gets the index i.
+  // Reorders the list: the particle order[i] gets the index i.
   void Permute(const std::vector<std::size_t>& order)
   {
     PermuteList(order, this->Single);
@@ -183,7 +183,7 @@ private:
   }
 
   bool IsSingle = false;
-  // One of these two lists is empty.
+  // Coordinates; at most one of these two lists is not empty.
   std::vector<std::array<float, 3>> Single;
   std::vector<std::array<double, 3>> Double;
   Column Radii, Strengths;

@@ -2,13 +2,14 @@
 //
 // A particle moves in a straight line to its position in the next step. In a periodic box, the
 // particle moves to the nearest copy of this position. The particle's radius and strength change
-// linearly. Particles are matched by their ids. Without ids the particles are matched by their
-// index, if the two steps have equally many points. Indices are ignored if the order of the
-// particles seems to differ between the steps (AreShuffled).
+// linearly. Particles are matched by their ids if both steps have ids. If neither has ids,
+// particles are matched by the index of their point, if the steps have equally many points. Indices
+// are ignored if the order of the particles seems to differ between the steps (AreShuffled).
 //
-// Let f be the fraction of the interval. A particle without a partner in the next step dies: its
-// strength is multiplied by (1-f). A particle without a partner in the earlier step is born: its
-// strength is multiplied by f. So the sum of kernels is continuous in time for any two steps.
+// Let f be the elapsed fraction of the interval between the steps. A particle without a partner in
+// the next step dies: its strength is multiplied by (1-f). A particle without a partner in the
+// earlier step is born: its strength is multiplied by f. So the sum of kernels is continuous in
+// time for any two steps.
 
 #ifndef ParticleMatches_h
 #define ParticleMatches_h
@@ -32,7 +33,7 @@ struct ParticleMatches
   std::vector<std::size_t> Partners;
   std::vector<std::size_t> Deaths; // earlier particles without a partner, ascending
   std::vector<std::size_t> Births; // later particles without a partner, ascending
-  bool AreShuffled = false;        // an index means different particles in the two steps
+  bool AreShuffled = false;        // an index seems to mean different particles in the two steps
 };
 
 VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
@@ -65,8 +66,8 @@ VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
 VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
   const ParticleFrame& earlier, const PeriodicBox& box);
 
-// Returns the maximum of displacement + change of radius over the particles that are in both steps;
-// 0 without such particles.
+// Returns the maximum of displacement + change of support radius [length] over matched particles; 0
+// without matched particles.
 VTKACTIVEPARTICLES_EXPORT double FindLargestDisplacement(const ParticleFrame& earlier,
   const ParticleFrame& later, const ParticleMatches& matches, const PeriodicBox& box);
 

@@ -1,7 +1,7 @@
 // Order of the particles in a frame, independent of the order in the input.
 //
 // Because of rounding, sums over particles depend on the order. The order in the input is not
-// reliable: the order changes if several ranks write the input or send pieces of the input.
+// reliable: the order can change if several ranks write the input or send pieces of the input.
 
 #ifndef ParticleOrder_h
 #define ParticleOrder_h

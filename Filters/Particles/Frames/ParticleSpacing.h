@@ -18,7 +18,7 @@ namespace activesurface
 // returns 0 if all distances are 0, or for fewer than two particles.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
-// Returns the median radius over the same sample. Needs at least one particle.
+// Returns the median support radius over the sample of FindSpacing. Needs at least one particle.
 VTKACTIVEPARTICLES_EXPORT double FindMedianRadius(const ParticleFrame& frame);
 
 }

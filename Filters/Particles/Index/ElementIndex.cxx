@@ -88,7 +88,8 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
 }
 
-// Treats a ball smaller than the rounding error as if its radius were the rounding error.
+// Returns the number of a ball's lattice: the binary exponent of the radius, or of the rounding
+// error if that is larger.
 int ElementIndex::LevelOf(const Ball& ball) const
 {
   return std::ilogb(std::max(ball.Radius, this->Slack));

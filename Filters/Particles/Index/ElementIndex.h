@@ -1,9 +1,9 @@
 // Finds the elements of a skeleton whose supports may contain a point.
 //
-// Supports are balls; a long segment consists of several balls. Balls of sizes within a factor of
-// two are listed in the cells of one lattice, by their centres. A cell is as wide as the largest
-// radius in the lattice, so the search for a point visits 27 cells of each lattice. Cells are found
-// by a hash: memory is O(elements), independent of the extent.
+// Balls cover the supports: one ball for a point, several for a long segment. Balls of sizes within
+// a factor of two are listed in the cells of one lattice, by their centres. A cell is as wide as
+// the largest radius in the lattice, so the search for a point usually visits 27 cells of each
+// lattice. Cells are found by a hash: memory is O(elements), independent of the extent.
 
 #ifndef ElementIndex_h
 #define ElementIndex_h
@@ -62,8 +62,8 @@ public:
   // point is too far from the origin for cell coordinates.
   bool FindCell(const double x[3], NodeIndex& cell) const;
 
-  // Calls visit(hits, count) once, with all elements that may touch the place, in ascending order.
-  // Thread-safe.
+  // Calls visit(hits, count) once, with the indices of all elements whose supports may touch the
+  // place, in ascending order. Thread-safe.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitHits(const Place& place, Visitor visit) const;
 
@@ -71,7 +71,7 @@ private:
   using Hits = std::vector<Index>;
 
   // Maximum cell coordinate; all points farther from the origin are in the outermost cells.
-  static constexpr double FarthestCell = 281474976710656.0; // 2^48: rounding is below 1/16
+  static constexpr double FarthestCell = 281474976710656.0; // 2^48: rounding is below 1/16 cell
 
   struct Lattice
   {

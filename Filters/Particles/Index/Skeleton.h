@@ -19,8 +19,8 @@ struct VTKACTIVEPARTICLES_EXPORT SkeletonVertex
   double Radius;
   double Strength;
 
-  // Returns true if no number exceeds 1e100 in magnitude and the radius is at least 1e-100, so that
-  // squares and quotients are finite.
+  // Returns true if no number is NaN or exceeds 1e100 in magnitude, and the radius is at least
+  // 1e-100, so that squares and quotients are finite.
   bool IsUsable() const;
 };
 
@@ -50,7 +50,7 @@ public:
   void Build() { this->Near.Build(); }
 
   // Evaluates threshold - sum at points (x y z each), and the gradients unless `gradients` is null.
-  // Returns NaN at a point that is not finite. Thread-safe.
+  // Values and gradients are NaN at a point that is not finite. Thread-safe.
   void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
     double* values, double* gradients) const;
 

@@ -21,8 +21,8 @@ constexpr float FullDepth = .22f;
 // for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
-// Bulk grows from 0 to 1 between these densities of neighbours [particles per (2 r)^3]. The density
-// is 0.28 in a sheet of one layer, 0.63 in a deep body's outermost layer, 0.87 in the next layer.
+// Bulk grows from 0 to 1 between these densities of neighbours [particles per (2 own radii)^3]. The
+// density is 0.28 in a one-layer sheet, 0.63 in a deep body's outermost layer, 0.87 in the next.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
@@ -39,11 +39,12 @@ constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
 
-// Displacement of an ellipsoid's centre, divided by the distance to the mean of the neighbours.
+// Displacement of an ellipsoid's centre / (Shape * distance to the mean of the neighbours).
 constexpr float ShareOfMean = .9f;
 
-// Shortest half-axis / middle half-axis: 0 in a sheet of one layer, about 1 in a body. Longest
-// half-axis / neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body.
+// Thin falls from 1 to 0 between the ratios of each line. Shortest half-axis / middle half-axis: 0
+// in a sheet of one layer, about 1 in a body. Longest half-axis / neighbourhood's radius: 0 for
+// coincident particles, 0.15 for a pair, 0.33 in a body. The larger result counts.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;
 
@@ -52,8 +53,7 @@ constexpr float TinySize = .05f, SmallSize = .12f;
 constexpr float LossOfTriangles = .155f;
 constexpr float LeastBall = .5f;
 
-// Integral of (1 - d^2)^2 over the unit ball.
-constexpr float WholeBall = 32.f * 3.14159265f / 105.f;
+constexpr float WholeBall = 32.f * 3.14159265f / 105.f; // integral of (1 - d^2)^2, unit ball
 
 struct ListKernel
 {
@@ -258,7 +258,7 @@ private:
     }
   }
 
-  // Blends, by `shape`, a ball and an ellipsoid of its volume in the neighbourhood's proportions.
+  // Blends, by `shape`, a ball and an ellipsoid of equal volume in the neighbourhood's proportions.
   ACTIVE_ALWAYS_INLINE void FindEllipsoid(const Lanes (&mean)[3], const Lanes (&axes)[3],
     const Lanes& shape, const Lanes& reach, const LaneEigen& eigen) const
   {

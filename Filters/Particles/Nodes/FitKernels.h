@@ -29,13 +29,13 @@ struct FitGroup
   alignas(32) float Reach[8]; // support radius in a body
   alignas(32) float Strength[8];
 
-  float Middle[3]; // of the box of the positions, and half of its sides
+  float Middle[3]; // centre of the box of the positions, and half of the box's sides
   float Half[3];
 
   void FindBox();
 };
 
-// A neighbour of a group, relative to the group's origin.
+// Position of a neighbour of a group, relative to the group's origin, and its row in the columns.
 struct FitNeighbour
 {
   float Place[3];
@@ -75,16 +75,16 @@ struct GroupFits
   alignas(32) float Deep[8];      // weight of the point at Away
   alignas(32) float Thin[8];      // weight of the point at Across
   alignas(32) float Offset[3][8]; // from the particle to the centre
-  alignas(32) float Metric[6][8];
+  alignas(32) float Metric[6][8]; // see NodeEllipsoid
   alignas(32) float Extent[3][8];
-  alignas(32) float Reach[8];     // longest half-axis
+  alignas(32) float Reach[8];     // bound on the longest half-axis
   alignas(32) float Lone[8];      // kernel at the surface of an isolated particle
   alignas(32) float Away[3][8];   // from the particle to the expected surface of a body
   alignas(32) float Across[3][8]; // to the expected surface of a sheet or thread
 };
 
-// Weight of a neighbour at the distance d: its strength * (1 - d^2/W^2)^2, with its own W =
-// WidePerReach * reach.
+// Weight of a neighbour at the distance d < W: its strength * (1 - d^2/W^2)^2, with its own W =
+// WidePerReach * reach; 0 beyond W.
 struct WeightColumns
 {
   const float* InverseWide2;

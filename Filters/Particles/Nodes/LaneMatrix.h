@@ -24,7 +24,7 @@ struct LaneEigen
   Lanes Value[3];
   Lanes Vector[3][3];
 
-  // Jacobi rotations.
+  // Five sweeps of Jacobi rotations.
   ACTIVE_ALWAYS_INLINE explicit LaneEigen(const LaneMatrix& given)
   {
     LaneMatrix matrix = given;

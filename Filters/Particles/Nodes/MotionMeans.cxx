@@ -18,7 +18,7 @@ namespace
 constexpr float ErrorsOfMotion = 6.f;
 // Fewer than two particles, counted by their weights, have no standard error.
 constexpr float FewParticles = .5f; // 1 / number of particles
-// Smaller displacements count as none [voxels].
+// A leaf is still if no displacement along an axis exceeds this [voxels].
 constexpr float Still = 1e-4f;
 
 struct Neighbour
@@ -159,7 +159,7 @@ struct PointMotion
 
 // Points whose displacement is unknown, or is from few particles (near the ends of the kernels),
 // get the mean of the other points. If all points have few particles, only unknown points get the
-// mean.
+// mean (0 if all are unknown).
 void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& motion)
 {
   const bool areAllWeak =

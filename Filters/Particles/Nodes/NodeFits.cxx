@@ -279,7 +279,7 @@ float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
   return faded * (rest * rest * rest);
 }
 
-// Adds nothing if all weights are 0.
+// Leaves the sums at 0 if all weights are 0.
 void NodeFits::SumBeside(
   Search& search, const UnsetVector<float>& counting, std::size_t place, float (&sums)[8]) const
 {

@@ -23,9 +23,10 @@
 namespace activesurface
 {
 
-// Up to FewParticles particles may all be neighbours of each other. Larger inputs are refused (see
-// Find) if the particles have more than MostNeighbours neighbours on average, a hundred times the
-// usual number: visiting all pairs would need hours. The average is over a sample.
+// Up to FewParticles particles may all be neighbours of each other. Larger inputs are refused, or
+// get no bulks (see Find), if the particles have more than MostNeighbours neighbours on average, a
+// hundred times the usual number: visiting all pairs would need hours. The average is over a
+// sample.
 constexpr std::size_t FewParticles = 30000;
 
 constexpr std::size_t MostNeighbours = 20000;

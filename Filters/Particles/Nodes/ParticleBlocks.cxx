@@ -12,7 +12,8 @@ namespace activesurface
 namespace
 {
 
-// Bound on the distance from a particle's cube to the end of its kernel [own radii].
+// Bound on the distance from the cube of a dense particle to the skin [own radii]: at the default
+// support radius, 4.5, ball kernels end 3.5 from the cube.
 constexpr double BeyondDense = 3.6;
 
 // Cells are at least 1 / CellsOfVoxel of a voxel wide.

@@ -2,9 +2,9 @@
 // surface.
 //
 // A cell is at least twice as wide as the smallest own radius. Each particle fills a cube whose
-// side is twice the own radius. Cells with a full neighbourhood, and cells far from any particle,
-// contain no surface. The remaining cells are the shell. The filling is an integer sum, independent
-// of the order of particles.
+// side is twice the own radius. Cells far from any particle and, with HasInside, cells with a full
+// neighbourhood contain no surface. The remaining cells are the shell. The filling is an integer
+// sum, independent of the order of particles.
 
 #ifndef ParticleBlocks_h
 #define ParticleBlocks_h
@@ -83,7 +83,7 @@ struct ParticleCube
 {
   double Position[3];
   double HalfSide; // own radius
-  double Shell;    // radius of the ball whose nodes are in the shell [length]
+  double Shell;    // radius of the ball that the shell contains, except full cells [length]
   double Filling;  // in [0,1]: 1 at full strength
 };
 
@@ -113,14 +113,14 @@ public:
     std::uint32_t Starts[Parts + 1];
     CellMask Occupied;
     CellMask Open;  // not full
-    CellMask Dense; // at twice the usual density of particles
+    CellMask Dense; // at twice the density of the fluid or more
     CellMask Near;  // kernels from here may touch cells that are not full
   };
 
   struct Options
   {
     double VoxelSize = 1.0;
-    double Reach = 0.0;    // largest support radius [length]
+    double Reach = 0.0;    // longest half-axis of the kernels [length]
     bool HasInside = true; // full cells are inside, whatever the kernels
   };
 

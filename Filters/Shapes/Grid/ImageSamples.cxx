@@ -194,7 +194,7 @@ double ImageSamples::Evaluate(const double x[3], double* gradient) const
   return this->Beyond;
 }
 
-// excess: offset from the nearest point of the box [pixels].
+// Returns a distance [length]. excess: offset from the nearest point of the box [pixels].
 double ImageSamples::DistanceToBox(const double excess[3], double* gradient) const
 {
   double away[3] = { 0.0, 0.0, 0.0 };
@@ -257,8 +257,8 @@ double ImageSamples::GetSample(const int pixel[3]) const
 }
 
 // Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
-// at most about 4 million pixels. The area of a crossing is |n_axis| times the cross-section of a
-// pixel. Along one axis the areas of the crossings add up to n_axis^2 times the surface's area;
+// at most about 4 million pixels. The area of a crossing is |n_axis| (n: unit normal) times the
+// cross-section of a pixel. The areas along one axis add up to n_axis^2 times the surface's area,
 // along all axes to the surface's area (if skip is 1), because n_x^2 + n_y^2 + n_z^2 = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {

@@ -1,5 +1,5 @@
-// Pixels of a vtkImageData as samples: the value is trilinear within the image's box, and the
-// distance to the box outside.
+// Pixels of a vtkImageData as samples. The value, +-(pixel - IsoValue), is trilinear within the
+// image's box. Outside, the value is the distance to the box or ImageLevel::Beyond.
 
 #ifndef ImageSamples_h
 #define ImageSamples_h
@@ -32,8 +32,8 @@ class ImageSamples : public GridSamples
 {
 public:
   // Keeps the array, which must not change during use. Throws std::invalid_argument, with a
-  // message, for an empty or flat image, an unusable array, axes that are not orthogonal, or a
-  // level that is not finite.
+  // message, for an empty or flat image, an unusable array, an origin, spacing or level that is not
+  // finite, a spacing of 0, or axes that are not orthogonal.
   ImageSamples(vtkImageData* image, const ImageLevel& level);
   ~ImageSamples() override;
 

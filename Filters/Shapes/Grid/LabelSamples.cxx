@@ -98,7 +98,7 @@ private:
 // Larger than the square of any distance; twice this number does not overflow.
 constexpr std::int32_t Unknown = 1 << 29;
 
-// Replaces each number of a line by the least number(j) + (i - j)^2 over the line.
+// Replaces each number(i) of a line by the least number(j) + (i - j)^2 over the line.
 void SpreadSquares(std::vector<std::int32_t>& line, std::vector<std::int32_t>& squares)
 {
   const auto size = static_cast<std::int32_t>(line.size());

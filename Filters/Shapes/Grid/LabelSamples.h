@@ -1,10 +1,10 @@
 // Distances to the surface of a label, the pixels of an image whose values are above a level.
 //
-// The distance at a pixel is that to the nearest pixel on the other side of the surface, minus 1/2.
-// Between pixels the distance is trilinear. The unit is a pixel, as if all pixels were cubes of
-// side 1. A skin where the distance is between -1/2 and 1/2 is within half a pixel of the label's
-// surface along each axis. The label's surface consists of the outer faces of its pixels; pixels
-// beyond the image are outside.
+// The distance at a pixel is that to the nearest pixel on the other side of the surface, minus 1/2,
+// and negative in the label. Between pixels the distance is trilinear. The unit is a pixel, as if
+// all pixels were cubes of side 1. A skin where the distance is between -1/2 and 1/2 is within half
+// a pixel of the label's surface along each axis. The label's surface consists of the outer faces
+// of its pixels; pixels beyond the image are outside.
 
 #ifndef LabelSamples_h
 #define LabelSamples_h
@@ -22,7 +22,7 @@ class GridSamples;
 
 struct LabelFacts
 {
-  double Volume = 0.0;       // of the label's pixels; 0: the image has no label
+  double Volume = 0.0;       // of the label's pixels [length^3]; 0: no label
   double LeastPixel = 0.0;   // shortest side of a pixel [length]
   double LargestPixel = 0.0; // longest side of a pixel
 };

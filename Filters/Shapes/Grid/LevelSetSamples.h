@@ -1,6 +1,6 @@
-// Samples of a sparse level set, which is attached to an image instead of pixels. Values are
-// trilinear between voxels. Values beyond the band are plus or minus the background of the level
-// set.
+// Samples of a sparse level set, which is attached to an image instead of pixels. The value,
+// +-(voxel - IsoValue), is trilinear between voxels. Voxels beyond the band have plus or minus the
+// background of the level set.
 
 #ifndef LevelSetSamples_h
 #define LevelSetSamples_h

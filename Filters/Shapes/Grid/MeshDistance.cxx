@@ -48,7 +48,7 @@ public:
   Walk(const MeshTriangles& mesh, const VoxelMesh& voxels);
 
   // Walks over the mesh from `triangle` as long as each step decreases the distance. Returns the
-  // squared distance to the last triangle.
+  // squared distance to the last triangle [voxels^2].
   double FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const;
 
 private:

@@ -1,4 +1,4 @@
-// Computes distances to a mesh on the lattice nodes near it.
+// Computes distances to a mesh at lattice nodes near the mesh.
 
 #ifndef MeshDistance_h
 #define MeshDistance_h

@@ -13,8 +13,8 @@ namespace activesurface
 
 struct MeshMeasure
 {
-  double VoxelSize = Automatic; // automatic: longest side of the mesh / 64
-  double Reach = Automatic;     // automatic: diagonal of the mesh / 8
+  double VoxelSize = Automatic; // automatic: longest side of the mesh's bounds / 64
+  double Reach = Automatic;     // automatic: diagonal of the mesh's bounds / 8
   double Thickness = 0.0;       // of the shell around an open mesh; 0: no shell
   double MaximumNumberOfVoxels = 0.0;
 };
@@ -22,8 +22,9 @@ struct MeshMeasure
 class MeshSamples : public GridSamples
 {
 public:
-  // Throws std::invalid_argument for a mesh without polygons, and for invalid values of `measure`.
-  // Throws std::runtime_error beyond the maximum number of voxels.
+  // Throws std::invalid_argument for a mesh without valid polygons, with 2^31 triangles or more, or
+  // 10^9 voxels or more from the origin, and for invalid values of `measure`. Throws
+  // std::runtime_error beyond the maximum number of voxels.
   MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure);
   ~MeshSamples() override;
 

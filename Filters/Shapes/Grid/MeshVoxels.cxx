@@ -29,7 +29,7 @@ public:
   {
   }
 
-  // Samples the triangle in rows from its longest edge to the other two.
+  // Samples the triangle in rows from its longest edge to the other two edges.
   void Add(const Corners& triangle);
 
   bool AreTooMany() const { return this->Count > this->Maximum; }

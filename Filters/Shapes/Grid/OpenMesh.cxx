@@ -30,9 +30,9 @@ public:
   // The mesh has to outlive this object.
   explicit WindingNumber(const MeshTriangles& mesh);
 
-  // Returns 1 inside a closed mesh, 0 outside, and -1 inside if its polygons face inward. Across a
-  // hole the value changes smoothly. Thread-safe; the result does not depend on the number of
-  // threads.
+  // Returns about 1 inside a closed mesh (n where n bodies overlap), 0 outside, and the negative
+  // number inside if the polygons face inward. Across a hole the value changes smoothly.
+  // Thread-safe; the result does not depend on the number of threads.
   double Evaluate(const openvdb::Vec3d& place) const;
 
 private:
@@ -58,8 +58,8 @@ private:
 
 constexpr std::size_t TrianglesOfLeaf = 8;
 
-// Beyond this distance from a box [radii of the box], one dipole replaces the box's triangles, with
-// an error below 1 %.
+// Beyond this distance from a box's centre [radii of the box], one dipole replaces the box's
+// triangles, with an error below 1 %.
 constexpr double FarInRadii = 2.5;
 constexpr double Sphere = 4.0 * 3.14159265358979323846;
 
@@ -184,7 +184,7 @@ Coord Step(int axis)
   return step;
 }
 
-// Winding numbers at all nodes near the mesh and near the caps of its holes.
+// Magnitudes of the winding numbers at all nodes near the mesh and near the caps of its holes.
 class Caps
 {
 public:

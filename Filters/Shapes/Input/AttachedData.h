@@ -50,9 +50,9 @@ VTKACTIVESHAPES_EXPORT std::shared_ptr<const AttachedState> GetAttachedState(
 ///@}
 
 VTKACTIVESHAPES_EXPORT bool HasAttachedGrid(vtkInformation* information);
-/** Attaches nothing if `from` has no grid. */
+/** Removes the grid of `to` if `from` has no grid. */
 VTKACTIVESHAPES_EXPORT void CopyAttachedGrid(vtkInformation* from, vtkInformation* to);
-/** Replaces an attached grid by a translated copy that shares the values of the grid. */
+/** Replaces an attached grid, if any, by a translated copy that shares the grid's values. */
 VTKACTIVESHAPES_EXPORT void MoveAttachedGrid(vtkInformation* information, const double offset[3]);
 
 }

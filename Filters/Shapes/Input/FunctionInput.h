@@ -34,7 +34,8 @@ public:
   // Returns the time of the last change of the data, or of anything upstream. Updates pipeline
   // information; not thread-safe.
   vtkMTimeType FindMTime();
-  // Returns the result of the last FindMTime. Cheap and thread-safe.
+  // Returns the result of the last FindMTime; for a given data set, its MTime. Cheap and
+  // thread-safe.
   vtkMTimeType GetMTime() const;
 
   // Calls read() in one thread if the input (GetMTime) or the function (`changed`) has changed
@@ -42,7 +43,8 @@ public:
   template <class Read>
   void ReadIfChanged(vtkMTimeType changed, Read&& read);
 
-  // Updates the algorithm's whole output at the time of the last request. Not thread-safe.
+  // Updates the algorithm's whole output, if an algorithm is connected, at the time of the last
+  // request. Not thread-safe.
   void Update();
 
 private:

@@ -113,7 +113,8 @@ vtkIdType Reader::Merge(vtkIdType id)
   return found.first->second;
 }
 
-// Reads a polygon's corners without repetitions. Returns false if the polygon is omitted.
+// Reads a polygon's corners without consecutive repetitions. Returns false if the polygon is
+// omitted.
 bool Reader::Accept(vtkIdList* ids)
 {
   this->Corners.clear();

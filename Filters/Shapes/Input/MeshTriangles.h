@@ -52,13 +52,13 @@ struct VTKACTIVESHAPES_EXPORT MeshTriangles
 };
 
 // Merges points of equal coordinates, so that separate triangles with coincident corners form a
-// closed mesh. Concave polygons are triangulated correctly. The result for quadrangles is the same
+// closed mesh. Polygons may be concave (PolygonCutter.h). The result for quadrangles is the same
 // with every release of VTK. Lines and vertices are ignored.
 VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
 // Returns the bounding box of the valid polygons and strips, at a much lower cost than
-// ReadTriangles. Without polygons and strips, x min > x max. vtkPolyData's own function fails if a
-// polygon refers to a point that does not exist.
+// ReadTriangles. Without valid ones, x min > x max. vtkPolyData::GetCellsBounds fails if a polygon
+// refers to a point that does not exist.
 VTKACTIVESHAPES_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
 
 }

@@ -148,8 +148,8 @@ std::vector<bool> FindLonePoints(
   return isLone;
 }
 
-// Subtracts each joint of m segments m - 1 times, because each of these segments includes the
-// joint.
+// Adds the segments. Subtracts each joint of m segments m - 1 times, because each of these segments
+// includes the joint.
 void AddSegments(const std::vector<SkeletonVertex>& vertices, const std::vector<Ends>& segments,
   Skeleton& skeleton)
 {
