@@ -19,8 +19,9 @@
  * - Colors are not converted: in EXR files they are linear.
  * - A sample of a subsampled channel is repeated over its pixels.
  * - Scanline files are read, and the finest level of tiled files. Deep data is an error.
- * - Attributes of the header that consist of numbers or texts become field data of the output, by
- *   their names; a few types of OpenEXR are left out.
+ * - Attributes of the header become field data of the output, by their names, if their type is int,
+ *   float, double, rational, chromaticities, box2i, v2i, v2f, v3f, m33f, m44f, floatvector, string,
+ *   stringvector, timecode or compression.
  *
  * @par Pixels
  * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
@@ -30,8 +31,8 @@
  *
  * @par Series
  * - Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are
- *   from the headers, where vtkActiveEXRWriter writes them. If a header has no time, or the times
- *   do not increase from file to file, the times are 0, 1, 2 and so on.
+ *   the attribute "time" of the headers, which vtkActiveEXRWriter writes. If a header has no time,
+ *   or the times do not increase from file to file, the times are 0, 1, 2 and so on.
  * - The extent covers the extents of all files, with 0 where a file has no pixel.
  * - A request for a time between two steps returns the earlier step.
  *

@@ -138,7 +138,7 @@ public:
 
   ///@{
   /**
-   * Width of a pixel over its height [1]. Range: 1e-6 to 1e6. Default: 1.
+   * Width of a pixel, divided by its height [1]. Range: 1e-6 to 1e6. Default: 1.
    */
   vtkSetClampMacro(PixelAspectRatio, double, 1e-6, 1e6);
   vtkGetMacro(PixelAspectRatio, double);

@@ -95,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Box in index coordinates of the grid: x min, x max, y min... inclusive. Default: 0 -1 0 -1 0
-   * -1, empty.
+   * Box in index coordinates of the grid: x min, x max, y min... inclusive. With INDEX, an empty
+   * box is an error. Default: 0 -1 0 -1 0 -1, empty.
    */
   vtkSetVector6Macro(IndexRegion, int);
   vtkGetVector6Macro(IndexRegion, int);
@@ -104,7 +104,8 @@ public:
 
   ///@{
   /**
-   * Box in space [length]: x min, x max, y min... Default: 1 -1 1 -1 1 -1, empty.
+   * Box in space [length]: x min, x max, y min... With WORLD, an empty box is an error. Default: 1
+   * -1 1 -1 1 -1, empty.
    */
   vtkSetVector6Macro(WorldRegion, double);
   vtkGetVector6Macro(WorldRegion, double);
@@ -121,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Converts volumes to dense images. Off: the image has no arrays, and carries a level set for
-   * filters that can use the grid itself, see above. Default: on.
+   * Converts volumes to dense images. Off: the image has no arrays, and carries the first chosen
+   * grid, if a level set, for filters that can use the grid itself, see above. Default: on.
    */
   vtkSetMacro(OutputDense, vtkTypeBool);
   vtkGetMacro(OutputDense, vtkTypeBool);

@@ -98,8 +98,8 @@ public:
   }
 
 private:
-  // Returns false, after writing the value, if the point is not finite or farther away than all
-  // particles, or if there are no particles.
+  // Returns false, after writing the value, if the point is not finite, a coordinate is beyond
+  // Farthest units, or there are no particles.
   bool FindPart(std::size_t i, NodeIndex& part) const
   {
     const double* x = this->Points + 3 * i;

@@ -21,12 +21,12 @@ namespace activesurface
 // 0, or without a later step: the particles of the earlier step. Otherwise: the particles of the
 // earlier step, then the particles that only the later step has, in the order of each step.
 // Particles whose strength has faded to zero are omitted. In a periodic box each particle is
-// replaced by its copies in the box and the margin.
+// replaced by its copies in the box and in the margin (PeriodicBox::GetMargin).
 class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
   // The caller owns the frames. later and matches may both be null. Throws std::invalid_argument if
-  // the box is less than a quarter of its margin long. For a track that begins at the later of two
+  // the box is shorter than a quarter of this margin. For a track that begins at the later of two
   // steps, exchange the frames, invert the matches, and set a duration < 0.
   ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
     std::shared_ptr<const ParticleMatches> matches, const PeriodicBox& box, double fraction);

@@ -41,8 +41,8 @@
  * - An ellipsoid is fitted to the neighbourhood of each point (Yu, Turk 2013), as by
  *   vtkActiveImplicitSurface.
  * - F is computed in single precision, to about 1e-6.
- * - An isolated point is a ball of its own radius r: half of ParticleSpacing or, if automatic,
- *   Radius / 4.5.
+ * - An isolated point is a ball of its own radius r: half of ParticleSpacing or, if automatic, the
+ *   point's radius / 4.5.
  * - The surface of a body passes at about the distance r outside its outermost points: a layer is a
  *   plane, and N points in a box have a volume of about N (2 r)^3.
  * - Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and

@@ -16,8 +16,8 @@ namespace activesurface
 
 using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
 
-// Packs the positions, ids, strengths and velocities of the chosen particles as bytes. Radii and
-// passed arrays are omitted.
+// Packs the positions, ids, strengths (unless all are 1) and velocities (if HasVelocities) of the
+// chosen particles as bytes. Radii and passed arrays are omitted. Empty if none is chosen.
 VTKACTIVEPARTICLES_EXPORT Bytes PackParticles(
   const ParticleFrame& frame, const ParticleChoice& chosen);
 

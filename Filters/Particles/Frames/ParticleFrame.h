@@ -34,7 +34,7 @@ struct PointArrays
   vtkPointData* Passed = nullptr; // all arrays that the skin may show
 };
 
-// Totals of a distributed frame over all ranks.
+// Totals of a distributed frame over all ranks or, from Describe, over one rank.
 struct WholeFrame
 {
   std::size_t Points = 0;

@@ -62,7 +62,8 @@ VTKACTIVEPARTICLES_EXPORT std::vector<NumberedDisplacement> SampleDisplacements(
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
 // Returns true if an index seems to mean different particles in the two steps. displacements:
-// samples from the whole frame, in any order. `earlier` may contain only a part of the frame.
+// samples from the whole frame, in any order. `earlier` may contain only a part of the frame if
+// Whole is set.
 VTKACTIVEPARTICLES_EXPORT bool AreShuffled(std::vector<NumberedDisplacement> displacements,
   const ParticleFrame& earlier, const PeriodicBox& box);
 

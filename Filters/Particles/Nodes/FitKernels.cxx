@@ -26,8 +26,8 @@ constexpr float OffsetOfBody = .1f;
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
-// Support radius of a particle, divided by that in a body. It grows from LeastReach to 1 between
-// these densities of neighbours [particles per (2 r)^3].
+// Support radius of a particle / its support radius in a body: grows from LeastReach to 1 between
+// these densities of neighbours [particles per (2 own radii)^3].
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;

@@ -56,8 +56,8 @@ struct PlaceColumns
 void ListNeighbours(const FitGroup& group, const PlaceColumns& columns, const ParticleRuns& runs,
   FitNeighbours& neighbours);
 
-// Returns radius / ownRadius - 1 for the ball of an isolated particle. ownRadius: own radius of the
-// particle [voxels].
+// Returns radius / ownRadius - 1 for the ball of an isolated particle, with HasTriangles.
+// ownRadius: own radius of the particle [voxels].
 double FindLossOfBall(double ownRadius);
 
 struct FitLaw

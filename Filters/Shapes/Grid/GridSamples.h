@@ -17,7 +17,8 @@ class VTKACTIVESHAPES_EXPORT GridSamples
 public:
   virtual ~GridSamples() = default;
 
-  // Returns the value, negative inside; NaN if x is not finite. gradient: three numbers, or null.
+  // Returns the value, negative inside; NaN if x is not finite, or in a cell with a sample of value
+  // NaN. gradient: three numbers, or null.
   virtual double Evaluate(const double x[3], double* gradient) const = 0;
 
   // Finds a box that contains all points where the function is negative (of a level set: if the
