@@ -29,8 +29,7 @@ constexpr float FullBody = .8f;
 // Support radius of a particle / its support radius in a body: grows from LeastReach to 1 between
 // these densities of neighbours [particles per (2 own radii)^3].
 constexpr float LeastReach = .7f;
-constexpr float DensityOfLeastReach = .05f;
-constexpr float DensityOfFullReach = .2f;
+constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
 // Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
 // including the particle's own (1), decides whether the neighbourhood has a shape: two neighbours
