@@ -26,7 +26,7 @@ struct RankCounts
 };
 
 /** A leaf with its number of vertices, which Count replaces by the number of vertices before the
- * leaf. */
+ * leaf in the range of the counting rank. */
 struct CountedLeaf
 {
   NodeIndex Origin;
@@ -79,8 +79,8 @@ public:
   /** Number of vertices in the leaves that this rank counts. */
   std::int64_t GetSum() const { return this->Sum; }
 
-  /** Returns the first vertex of each own leaf that has vertices, in the table's order. before:
-   * number of vertices that lower ranks count. */
+  /** Returns the number of the first vertex of each own leaf that has vertices, in the table's
+   * order. before: number of vertices that lower ranks count. */
   std::vector<std::int64_t> Answer(std::int64_t before)
   {
     std::vector<Bytes> answers;
@@ -110,7 +110,8 @@ private:
     return static_cast<std::size_t>(this->Space.CounterOf(origin));
   }
 
-  /** Replaces the number of vertices of each leaf by the number of vertices before the leaf. */
+  /** Replaces the number of vertices of each leaf by the number of vertices before the leaf in this
+   * rank's range. */
   void Count()
   {
     std::vector<CountedLeaf*> order;
@@ -129,8 +130,8 @@ private:
   }
 
   const Domain& Space;
-  std::vector<std::vector<CountedLeaf>> Asked;  // by counter
-  std::vector<std::vector<CountedLeaf>> Leaves; // by owner
+  std::vector<std::vector<CountedLeaf>> Asked;  // own leaves, by the rank that counts them
+  std::vector<std::vector<CountedLeaf>> Leaves; // leaves that this rank counts, by owner
   std::int64_t Sum = 0;
 };
 
@@ -201,8 +202,9 @@ std::shared_ptr<const BandPart> CountTogether(
 namespace
 {
 
-/** Numbers the vertices of another rank's leaf. Edges that are crossed only in this rank's copy,
- * next to a missing leaf, get -1. */
+/** Numbers the vertices of another rank's leaf. owners: the vertices that the owner has sent; null:
+ * none, so that all vertices get -1. Edges that are crossed only in this rank's copy, next to a
+ * missing leaf, get -1. */
 void NumberForeign(
   const BandLeaf& leaf, const BandPart::LeafVertices* owners, std::vector<std::int64_t>& numbers)
 {

@@ -37,7 +37,7 @@ struct BandPart
   SkinMeasure Measure; //< [voxels]
   /** First vertex of each own leaf that has vertices, in the table's order. */
   std::vector<std::int64_t> FirstVertices;
-  std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
+  std::vector<LeafVertices> Foreign; //< leaves of other ranks next to own leaves, by origin
 
   const Agreement& GetRanks() const { return this->Space->GetRanks(); }
 };

@@ -37,7 +37,7 @@ struct BandState
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // true: the paper's scheme, see PaperStep.h
   bool HasGhosts = true;    // false: all layers have values of the node scheme
-  AdvanceReport Work;       // since ForgetWork
+  AdvanceReport Work;       // since the start or ForgetWork
   ActiveSet Set;            // leaves of the current substep; kept for its capacity
   SubstepBuffers Buffers;
   Displacement Trace;
@@ -52,7 +52,7 @@ struct BandState
   /** Starts an empty surface at a time. bounds: only their size is used. */
   void Reset(double time, const double bounds[6]);
   /** Replaces the potential. Derives the layers from the signs and, in the paper's scheme, the
-   * active nodes from the active masks. */
+   * active nodes from the layers and the tree's active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential and the layers. Unless Paper, and if HasGhosts, extrapolates the
    * ghosts from the active nodes. */
@@ -60,7 +60,7 @@ struct BandState
   /** Sets the totals of a partitioned band; null: the band is whole. Call before replacing the
    * leaves. */
   void SetPart(const std::shared_ptr<const BandPart>& part);
-  /** Creates the ghosts, which substeps need. */
+  /** Extrapolates the ghosts, which explicit substeps need, unless the band has ghosts. */
   void AddGhosts();
   StateNumbers GetNumbers() const
   {
@@ -82,7 +82,7 @@ struct BandState
 
   void CreateParts(const Motion& motion, const Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** Makes one substep without an end time. Measures SurfaceSpeed for the report. */
+  /** Makes one explicit substep without an end time. Measures SurfaceSpeed for the report. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** Clips the surface at walls and obstacle, between motions. Area and volume are measured again,
@@ -95,7 +95,7 @@ struct BandState
   void FinishFrame();
 
   /** Sets the surface to the target at the band's time, then applies attraction and tension for
-   * `duration`. */
+   * `duration` (with NodeFreedom only tension). */
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {
@@ -113,7 +113,8 @@ private:
   void FillGhostsOfAll();
   void BoundLayers();
 
-  /** Finds layers and ghosts from the potential. */
+  /** Finds the layers from the signs. Then finds the active nodes and, except in the paper's
+   * scheme, the ghosts. */
   void RebuildBand(ActiveSet& set);
   /** Drops empty leaves if more than an eighth of all leaves are empty; counts the crossings. */
   void DropEmptyLeaves();

@@ -17,10 +17,12 @@
  * Layer 0 consists of the corners of the voxels that the surface crosses. Layer m consists of the
  * 6-neighbours of layer m - 1 that are in no smaller layer. Layers 0..2 are active in the grid.
  * Layers 3 and 4 are ghosts: inactive values in the same leaves, extrapolated from smaller layers
- * after every substep. Exception: a node of layer 3 or 4 whose whole stencil lies in the layers, at
- * a medial axis, is active and is called a "pocket". All other nodes are + or - Far (3 in the
- * paper's scheme); only their sign has a meaning. Inside the layers the gradient norm of u is about
- * 0.5 to 1.5; output distances are u divided by this norm.
+ * after every explicit substep. After a frame of the node scheme without an exact control, layers 3
+ * and 4 have values of this scheme, at most 3 in magnitude. Exception: a node of layer 3 or 4 whose
+ * whole stencil lies in the layers, at a medial axis, is active and is called a "pocket". All other
+ * nodes are + or - Far; only their sign has a meaning. PaperStep.h describes the band of the
+ * paper's scheme. Inside the layers the gradient norm of u is about 0.5 to 1.5; output distances
+ * are u divided by this norm.
  *
  * REPRODUCIBILITY: the same start, times, motion and target give a bitwise identical potential,
  * with any number of threads and any previous contents of memory.
@@ -58,7 +60,8 @@ public:
   explicit NarrowBand(double voxelSize);
   ~NarrowBand();
 
-  /** Returns a copy with its own potential. Motion of the copy does not change this band. */
+  /** Returns a copy with its own potential, without the domain of SetDomain. Motion of the copy
+   * does not change this band. */
   std::unique_ptr<NarrowBand> Clone() const;
   /** Returns the part of the surface within walls, closed at the walls, with GetTime and GetWork of
    * this band. */
@@ -108,9 +111,9 @@ public:
 
   /**
    * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
-   * would have more active nodes, or if Start would sample too many nodes. Advance throws
-   * after a substep in which the band exceeds the limit, and before any further substep while the
-   * band exceeds it.
+   * would have more active nodes, or if Start would sample too many nodes. Advance throws if the
+   * band has more active nodes at the beginning or after a substep, or would have more after new
+   * parts or a frame of the node scheme.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 
@@ -127,9 +130,10 @@ public:
     const ProgressFunction& progress = {});
 
   /**
-   * Sets the potential to the target at `time`, then applies attraction and tension for `duration`:
-   * the first frame is then as smooth as the following frames. Target::GetNodes must not be null.
-   * bounds: only their size is used. Throws like Advance, and for the same bounds as Start.
+   * Sets the potential to the target at `time`, then applies attraction and tension for `duration`
+   * (with NodeFreedom only tension, see NodeStages.h): the first frame is then as smooth as the
+   * following frames. Target::GetNodes must not be null. bounds: only their size is used. Throws
+   * like Advance, and for the same bounds as Start.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
@@ -143,13 +147,15 @@ public:
    * std::runtime_error if the obstacle is NaN at a node. */
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
-  /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, so
-   * that the first frame has this value. Does nothing without such a control, if this value is 0,
-   * or for an empty surface. Otherwise the new area and volume count as those at the start. */
+  /** Moves the surface along its normal to the TargetVolume or TargetArea of an exact control, or
+   * as near as possible, for the first frame. Does nothing without an exact control, if its
+   * TargetVolume or TargetArea is 0, or for an empty surface. Otherwise the new area and volume
+   * count as those at the start. */
   void RestoreTargets(const Motion& motion);
 
   /**
-   * Moves the surface until `time`; the last substep ends exactly at `time`. Throws
+   * Moves the surface until `time`; the last substep ends exactly at `time`. If `progress` cancels
+   * the motion, the surface stays at the time of the last finished substep. Throws
    * std::invalid_argument for a time before the current time, or an invalid motion. After any other
    * exception, the potential and GetTime() are those after the last finished substep.
    */
@@ -159,8 +165,9 @@ public:
   /**
    * Makes explicit substeps until the surface is steady (IsSteady in the report), or until the
    * maximum of substeps. A surface is steady if its normal speed at the sample points, from all
-   * terms, is within the tolerance, or if the surface only oscillates (Displacement.h). The time of
-   * the surface advances. Throws like Advance; std::invalid_argument if the tolerance is not >= 0.
+   * terms, is within the tolerance, or, unless the tolerance is 0, if the surface only oscillates
+   * (Displacement.h). No surface is steady after a substep that created parts. The time of the
+   * surface advances. Throws like Advance; std::invalid_argument if the tolerance is not >= 0.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
     Target& target, const ProgressFunction& progress = {});

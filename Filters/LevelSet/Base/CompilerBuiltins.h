@@ -40,7 +40,7 @@ ACTIVE_ALWAYS_INLINE int LowestBit(std::uint64_t word)
   return __builtin_ctzll(word);
 }
 
-/** Number of set bits, by arithmetic: the baseline instruction set has no instruction for this. */
+/** Number of set bits, by arithmetic: the baseline of x86-64 has no instruction for this. */
 inline int CountBits(std::uint64_t word)
 {
   word -= (word >> 1) & 0x5555555555555555ull;

@@ -69,7 +69,8 @@ int MiddleOfEdge(int edge, int axis)
     OffsetOfCorner(UpperCornerOfEdge(edge), axis);
 }
 
-// Squared length [half voxels]; Forbidden if both edges lie on one face.
+// Squared distance of the midpoints of two edges [(voxel / 2)^2]; at least Forbidden if both edges
+// lie on one face.
 int CostOfDiagonal(int edge, int otherEdge)
 {
   int cost = 0;

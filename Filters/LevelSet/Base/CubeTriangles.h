@@ -8,9 +8,9 @@
  *  - each mesh edge belongs to exactly two triangles, in opposite directions along the edge,
  *  - the triangles around a vertex form one closed fan,
  *  - triangles are counter-clockwise seen from outside (normals point from inside to outside).
- * This is true for ambiguous faces (two diagonally opposite inside corners) too: their inside
- * corners are always separated. The rule depends only on the signs of the face, so both voxels of a
- * face cut the face in the same way.
+ * The properties hold with ambiguous faces (two diagonally opposite inside corners) too: the inside
+ * corners of these faces are always separated. The rule depends only on the signs of the face, so
+ * both voxels of a face cut the face in the same way.
  *
  * Numbering. Corner c = 4 x + 2 y + z, the order of an OpenVDB leaf. Edge e = 4 axis + 2 u + v,
  * where u and v are the offsets of the edge along the two other axes, in the order x, y, z.

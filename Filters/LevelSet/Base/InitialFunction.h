@@ -39,17 +39,17 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together contain the zero set. With boxes, the cost of NarrowBand::Start
-   * depends on the boxes, not on the bounds. Outside the boxes the function keeps its sign, and is
-   * evaluated only at nodes near the boxes. Empty: the boxes are unknown. If Surface is unknown
-   * too, the function is sampled everywhere within the bounds.
+   * Visits boxes that together contain the zero set. With boxes, the number of evaluations in
+   * NarrowBand::Start depends on the boxes, not on the size of the bounds. Outside the boxes the
+   * function keeps its sign, and is evaluated only at nodes near the boxes. Empty: the boxes are
+   * unknown. If Surface is unknown too, the function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set. If the points are known, NarrowBand::Start uses the points instead
-   * of the boxes, at a cost that depends on the number of points. The potential is bitwise
-   * identical to a potential from samples everywhere within the bounds.
+   * Points near the zero set. If the points are known, NarrowBand::Start uses the points instead of
+   * the boxes, and evaluates the function only near the points and near the faces of the bounds.
+   * The potential is bitwise identical to a potential from samples everywhere within the bounds.
    */
   SurfacePoints Surface;
 };

@@ -1,15 +1,17 @@
 /**
  * The motion strategy: the terms that move the surface, as plain numbers.
  *
- * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, sign of the tension
- * corrected):
+ * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, see NarrowBand.h; sign
+ * of the tension corrected):
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  * F - iso: the target's value (Target.h), v: the target's velocity, n: the outward normal, w:
- * weight of tension. In explicit substeps v is 0 and w is 1. kappa = div n is the SUM of the
- * principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 = r0^2 - 4
- * Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to conserve. The
- * terms of AreaStiffness and VolumeStiffness act only in explicit substeps with Control::Penalty.
+ * weight of tension. Explicit substeps leave out the term of Transport, and w is 1. The node scheme
+ * uses the signed distance to the target instead of F - iso (Nodes/NodeStages.h). kappa = div n is
+ * the SUM of the principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 =
+ * r0^2 - 4 Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to
+ * conserve. The terms of AreaStiffness and VolumeStiffness act only in explicit substeps with
+ * Control::Penalty.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -26,7 +28,7 @@ namespace activesurface
 class Obstacle;
 
 /** Control of area or volume. Penalty: a speed proportional to the deficit, as in the paper. Exact:
- * a uniform displacement after each substep. */
+ * a uniform displacement after each explicit substep or frame of the node scheme. */
 enum class Control
 {
   None,
@@ -36,8 +38,8 @@ enum class Control
 
 /**
  * Points at which the target is evaluated for the speed of a node. Shifted: the crossings of
- * lattice edges; nodes without a crossed edge get extended speeds. Node: the node itself.
- * ClosestPoint: the closest point of the surface.
+ * lattice edges; nodes without a crossed edge get extended speeds, or in the paper's scheme the
+ * speed at the node itself. Node: the node itself. ClosestPoint: the closest point of the surface.
  */
 enum class TargetEvaluation
 {
@@ -46,8 +48,8 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** Scheme of a substep. Explicit: forward Euler within the stable step of the fastest part. Nodes:
- * one step per NarrowBand::Advance, at nodes near the target's surface (see nodes.md). */
+/** Scheme of a substep. Explicit: forward Euler, with substeps limited by CFL. Nodes: one step per
+ * NarrowBand::Advance, at nodes near the target's surface (see nodes.md). */
 enum class TimeIntegration
 {
   Explicit,
@@ -83,13 +85,14 @@ struct Motion
 
   /**
    * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + the rates of
-   * the penalties); h: voxel size, L: target slope. 1 is the largest stable value: 1.08 lets noise
-   * grow, 1.2 destroys the surface.
+   * the penalties); h: voxel size, L: target slope, Vmax: largest |target speed| plus |speed of the
+   * penalties|. The paper's scheme has another stable step (Front/PaperStep.h). 1 is the largest
+   * stable value: 1.08 lets noise grow, 1.2 destroys the surface.
    */
   double CFL = 1.0;
 
-  /** Upper bound of a substep, > 0. The target is evaluated once, at the beginning of the substep.
-   */
+  /** Upper bound of an explicit substep [time], > 0. The target is evaluated once, at the beginning
+   * of the substep. */
   double LongestStep = std::numeric_limits<double>::infinity();
 
   ///@{
@@ -110,7 +113,7 @@ struct Motion
   ///@}
 
   ///@{
-  /** The value to conserve; 0: the value at the start. >= 0. */
+  /** The area [length^2] and the volume [length^3] to conserve; 0: the value at the start. >= 0. */
   double TargetArea = 0.0;
   double TargetVolume = 0.0;
   ///@}
@@ -137,8 +140,9 @@ struct Motion
    */
   Obstacle* Solid = nullptr;
 
-  /** If true, the target's regions are searched. Parts of the target that no skin reaches, and
-   * hollows deep inside the skin, then get a skin. Not in the paper's scheme. */
+  /** If true, explicit substeps search the target's regions. Parts of the target that no skin
+   * reaches, and hollows deep inside the skin, then get a skin. Not in the paper's scheme, or
+   * without Attraction. The node scheme needs no search. */
   bool CreateParts = false;
 };
 
@@ -171,7 +175,7 @@ struct AdvanceReport
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   std::size_t UniformPulls = 0;      //< substeps in which an exact control cancelled all attraction
   std::size_t CreatedParts = 0;      //< parts and hollows, see Motion::CreateParts
-  double MaxSpeed = 0.0;             //< largest |target speed| [length/time]
+  double MaxSpeed = 0.0;             //< largest |target speed| in explicit substeps [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function cancelled the motion
   bool IsSteady = false;             //< AdvanceToSteadyState reached a steady state

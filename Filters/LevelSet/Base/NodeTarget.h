@@ -13,7 +13,7 @@ namespace activesurface
 
 using NodeIndex = std::array<int, 3>;
 
-/** Compares two indices; == of std::array calls memcmp. */
+/** Returns true if two indices are equal, without the call of memcmp by == of std::array. */
 inline bool AreSame(const NodeIndex& a, const NodeIndex& b)
 {
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
@@ -32,7 +32,7 @@ struct ShellLeaf
 struct Shell
 {
   std::vector<ShellLeaf> Leaves;       //< ascending by origin (x, y, z)
-  std::vector<NodeIndex> InsideLeaves; //< inside, not in Leaves; in any order; only on request
+  std::vector<NodeIndex> InsideLeaves; //< wholly inside, not in Leaves; only if wanted; any order
 };
 
 /** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is at the node
@@ -50,7 +50,7 @@ class Domain;
 /** Interval of a motion of the target. */
 struct NodeMotion
 {
-  double Begin, End; //< motion times
+  double Begin, End; //< times of the band
   double Transport;  //< factor of displacements
   double VoxelSize;
   const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
@@ -61,7 +61,7 @@ struct NodeMotion
  * this range tension smooths the skin, without attraction. */
 struct NodeFreedom
 {
-  float HalfWidth = 0.f; //< 0: the skin is attracted everywhere
+  float HalfWidth = 0.f; //< unit of that potential; 0: the skin is attracted everywhere
   /** Lower bound of the potential's slope [1/voxel]: in thin parts central differences give smaller
    * slopes. */
   float LeastSlope = 0.f;
@@ -94,7 +94,8 @@ public:
   /** Amplitude of the noise of a body's surface [voxels], see property TargetNoise; 0: no noise. */
   virtual float GetNoise() const = 0;
 
-  /** A surface within this distance of a wall is shifted onto the wall [voxels]; 0: no shift. */
+  /** A surface that faces a wall is shifted onto the wall: wholly within this distance [voxels],
+   * partly up to 1.5 times this distance; 0: no shift. */
   virtual float GetWallGap() const = 0;
 
   virtual NodeFreedom GetFreedom() const { return {}; }

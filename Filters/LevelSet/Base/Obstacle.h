@@ -50,11 +50,11 @@ public:
   const float* FindDepths(const LeafOrigin& origin) const;
 
   /** Returns the depth at a point, interpolated linearly between nodes; both in world units.
-   * Returns -infinity if at one of these nodes the obstacle has no effect or the function is NaN.
-   */
+   * Returns -infinity if at one of these nodes the obstacle has no effect or the function is NaN,
+   * or if a coordinate of the point is NaN, or 10^9 voxels or more from 0. */
   double DepthAt(const double x[3]) const;
 
-  /** Throws std::runtime_error if the function was NaN at a node of a leaf. */
+  /** Throws std::runtime_error if the function was NaN at a node of a sampled leaf. */
   void Check() const;
 
 private:

@@ -38,7 +38,7 @@ using PointVisitor = std::function<bool(const double x[3])>;
 
 /**
  * A connected part of the inside of a shape, or a hollow: an enclosed part of the outside of the
- * shape. The target has this shape now or at a later time.
+ * shape. The target moves between shapes; the part belongs to one of these shapes.
  */
 class TargetPart
 {

@@ -12,15 +12,16 @@
 namespace activesurface
 {
 
-/** Returns the rate of tension. An explicit step is stable up to 1 / (sum of the rates of all
- * terms). */
+/** Returns the rate of tension [1/time]. An explicit step is stable up to 1 / (sum of the rates of
+ * all terms). */
 inline double TensionRate(double tension, double voxelSize)
 {
   return 4.0 * std::fabs(tension) / (voxelSize * voxelSize);
 }
 
-/** Smallest radius R of a ball-shaped target whose skin survives tension. The radius r of the
- * steady skin obeys Attraction (R - r) = 2 Tension / r, which has no solution for smaller R. */
+/** Smallest radius R [length] of a ball whose skin survives tension, if the target is the distance
+ * to the ball; 0 without tension. The radius r of the steady skin obeys Attraction (R - r) = 2
+ * Tension / r, which has no solution for smaller R. */
 inline double SmallestBall(double tension, double attraction)
 {
   return tension > 0.0 ? std::sqrt(8.0 * tension / attraction) : 0.0;
@@ -35,8 +36,9 @@ inline double AutomaticTension(double attraction, double spacing)
   return factor * attraction * r * r;
 }
 
-/** Automatic tension for labels, whose skin is free within half a pixel (NodeFreedom). Tension
- * times its duration in a frame (NodeStep.cxx) is 1.2 pixels^2. pixel: shortest side of a pixel. */
+/** Automatic tension for labels, whose skin is free within about half a pixel (NodeFreedom).
+ * Tension times its duration in a frame (NodeStep.cxx) is 1.2 pixels^2. pixel: shortest side of a
+ * pixel. */
 inline double AutomaticTensionOfLabels(double attraction, double pixel)
 {
   return 0.2 * attraction * pixel * pixel;

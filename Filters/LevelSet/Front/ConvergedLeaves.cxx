@@ -12,11 +12,11 @@ namespace activesurface
 namespace
 {
 
-constexpr double Nearest = 1e-3; // voxels
+constexpr double Nearest = 1e-3; // distance of a converged surface from the target [voxels]
 /** Largest distance of the nodes of a crossed edge from the surface [voxels]. */
 constexpr double NodesNearest = 1.0;
 
-/** Coefficients of a step that moves the surface by its speed. */
+/** Coefficients of a step of dt = VoxelSize: u then changes by -speed * |grad u|. */
 StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 {
   StepCoefficients coefficients;

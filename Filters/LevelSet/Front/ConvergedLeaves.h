@@ -2,12 +2,13 @@
  * Detects converged leaves: leaves whose surface has reached the target or, with Tension, the
  * balance of attraction and tension.
  *
- * A leaf has converged if its surface is slower than 0.001 h Attraction L, where h is the voxel
+ * A leaf has converged if its surface is not faster than 0.001 h Attraction L, where h is the voxel
  * size and L the target slope. Without Tension the speed is the target speed at the sample points,
- * interpolated between the nodes. With Tension the speed is the rate of change of u at the nodes of
- * crossed edges, divided by the gradient norm. Only these nodes determine the surface, and
- * reinitialisation does not change these nodes. A leaf that has converged together with its
- * neighbours is skipped: further substeps would roughen the surface. The leaf's potential stays
+ * interpolated between the ends of crossed edges; no target speed at these ends may exceed h
+ * Attraction L. With Tension the speed is the rate of change of u at the nodes of crossed edges,
+ * divided by the gradient norm. Only these nodes determine the surface, and reinitialisation does
+ * not change these nodes. A leaf that has converged together with its neighbours is skipped:
+ * further substeps would roughen the surface. The values at the active nodes of the leaf stay
  * bitwise identical, except for factors of 2 that keep gradient norms near 1.
  *
  * Convergence depends only on the potential, the target and the motion. Stored speeds are used
@@ -36,7 +37,7 @@ struct ConvergenceRule
 /** Invalidates the speeds of all leaves. */
 void ForgetSpeeds(LeafTable& table);
 
-/** Invalidates the speeds of the leaves near which the target has changed. */
+/** Invalidates the speeds of the leaves near which the target may have changed. */
 void ForgetChanged(LeafTable& table, double voxelSize, const Target& target);
 
 /** Returns the leaves whose speeds are invalid. */

@@ -57,7 +57,8 @@ void Displacement::Begin(const LeafTable& table)
 }
 
 /**
- * Calls function with the displacement [voxels] of each sample point whose edge is still crossed.
+ * Calls function with the displacement along the normal [voxels] of each sample point of leaf i
+ * whose edge is still crossed, with the same end inside.
  */
 template <class Function>
 void Displacement::ForEachPoint(const LeafTable& table, std::size_t i, Function&& function) const

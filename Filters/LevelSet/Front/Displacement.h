@@ -25,8 +25,9 @@ public:
   /** Copies the potential. */
   void Begin(const LeafTable& table);
 
-  /** The largest distance along the normal [voxels] by which a sample point has moved since
-   * Begin, on edges that are still crossed. Single precision adds noise of about 1e-7. */
+  /** The largest distance along the normal [voxels] by which a sample point has moved since Begin,
+   * on edges that are still crossed, with the same end inside. Single precision adds noise of about
+   * 1e-7. */
   double GetLargest(const LeafTable& table) const;
 
   struct Statistics
@@ -36,8 +37,8 @@ public:
   };
 
   /** Returns statistics of the sample points of Begin; 0 without sample points. If the edge of a
-   * point is no longer crossed, the point counts as moved by a voxel, and as moved farther than
-   * any `distance`. */
+   * point is no longer crossed with the same end inside, the point counts as moved by a voxel, and
+   * as moved farther than any `distance`. */
   Statistics GetStatistics(const LeafTable& table, double distance) const;
 
 private:
@@ -57,16 +58,16 @@ private:
 };
 
 /**
- * Detects a steady state up to residual oscillation: noise below the voxel size never settles. Each
- * window of substeps is as long as all earlier windows together. A window measures the displacement
- * of the surface since the beginning of the window.
+ * Detects a steady state up to residual oscillation: noise below the voxel size never settles. A
+ * window has as many substeps as have been observed before the window, at least 16. A window
+ * measures the displacement of the surface since the beginning of the window.
  */
 class SteadyWindow
 {
 public:
   /** Called after each substep. attraction: Attraction of the motion [1/time]. IsSteady returns
-   * true only after a window of at least 8 / attraction, in which distances to a target decay to
-   * exp(-8) or less; without attraction, never. */
+   * true only after a window of at least 8 / attraction [time], in which distances to a target
+   * decay to exp(-8) or less; without attraction, never. */
   void Observe(const LeafTable& table, double time, double attraction);
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
@@ -75,10 +76,12 @@ public:
    * 0.5 to 1.25 times the average of the mean displacements in the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
-  /** Fraction that moved in the last window; NaN before the end of the first window. */
+  /** Fraction of the sample points that moved farther than SteadyStateCriterion::Still in the last
+   * window; NaN before the end of the first window. */
   double GetShare() const { return this->Share; }
 
-  /** Mean displacement of the surface in the last window [voxels]. */
+  /** Mean displacement of the sample points in the last window [voxels]; NaN before the end of the
+   * first window. */
   double GetMean() const { return this->Mean; }
 
 private:

@@ -1,7 +1,7 @@
 /**
- * Restores area or volume after each substep by a uniform displacement along the normal. This is a
- * projection, without stiffness or offset. An averaged speed in the equation of motion would let
- * area or volume drift by 7 %.
+ * Restores area or volume after each substep, or frame of the node scheme, by a uniform
+ * displacement along the normal. The displacement is a projection, without stiffness or offset. An
+ * averaged speed in the equation of motion would let area or volume drift by 7 %.
  */
 #ifndef ExactControl_h
 #define ExactControl_h
@@ -16,7 +16,7 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** The controlled band; lengths in voxels. */
+/** The controlled band; Box and VoxelSize are in world units. */
 struct ControlledBand
 {
   LeafTable& Leaves;
@@ -26,15 +26,16 @@ struct ControlledBand
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< limits the displacement to 1.5 Rounds; above 1 for long substeps
+  int Rounds = 1; //< 1 after an explicit substep; factor of the limits of RestoreVolume
 };
 
-/** Moves the surface until the relative error of the volume is at most 1e-9, by at most 1.5 Rounds
- * voxels in 8 Rounds displacements.
- */
+/** Moves the surface until the relative error of the volume [voxels^3] is at most 1e-9. Ends
+ * earlier after 1.5 Rounds voxels, after 8 Rounds displacements, or if displacements hardly change
+ * the volume. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
-/** Like RestoreVolume, for the area. The gain of area per displacement may have either sign. */
+/** Like RestoreVolume, for the area [voxels^2]. The gain of area per displacement may have either
+ * sign. */
 void RestoreArea(const ControlledBand& band, double area);
 
 }

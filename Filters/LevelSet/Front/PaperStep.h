@@ -1,6 +1,6 @@
 /**
- * The paper's own scheme, for comparison. Each difference from this library's scheme makes the
- * result worse; see front.md.
+ * The scheme of the paper (NarrowBand.h), for comparison. Each difference from this library's front
+ * scheme makes the result worse; see front.md.
  *
  * - The potential is clamped to the thresholds, +- 3 voxels (section 3.2). A node that enters
  *   layers 0 to 2 is activated and keeps its value. An active node outside these layers is
@@ -8,7 +8,7 @@
  * - The target at a node with crossed edges is the plain mean at the crossings (4.3). For other
  *   nodes, the target is evaluated at the node itself.
  * - Curvature (5) and gradient use central differences; the curvature is clamped to +-4 per voxel.
- * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = phi / (3 h)
+ * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = -phi / (3 h)
  *   is the paper's potential. The units of (7) are inconsistent; (7) is evaluated in a box of unit
  *   size.
  * - The gradient norm is not maintained.
@@ -40,7 +40,8 @@ struct PaperLimits
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers);
 
-/** Equations (6) and (7). boxSize: longest side of the bounds, the unit of length of |grad f|. */
+/** Returns the smaller step of the paper's equations (6) and (7); infinite if nothing moves.
+ * boxSize: longest side of the bounds, the unit of length of |grad f|. */
 double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize, double boxSize);
 
 /** Sets Next from the complete speed. advection: dt / h. */
@@ -52,7 +53,7 @@ void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
 /** Prepares a band for a change of the scheme: a band of this library's scheme for
  * RebuildPaperBand, or a band of the paper's scheme for RebuildLayers. The paper's scheme begins
- * with all nodes of the layers active. All ghosts are marked as stale. */
+ * with all nodes of the layers active. HoldsStaleValue is set at all nodes. */
 void BeginScheme(LeafTable& table, bool isPaper);
 
 }

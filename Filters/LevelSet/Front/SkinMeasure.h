@@ -1,5 +1,6 @@
 /**
- * Measures area and volume of the skin from its triangles (paper, sections 5.1 and 5.2).
+ * Measures area and volume of the skin from its triangles (sections 5.1 and 5.2 of the paper, see
+ * NarrowBand.h).
  */
 #ifndef SkinMeasure_h
 #define SkinMeasure_h
@@ -42,7 +43,7 @@ struct SkinSums
  * only the whole surface is closed. */
 SkinSums SumSkin(const LeafTable& table);
 
-/** Measures of a band that this rank owns entirely, in voxels. */
+/** Measures of a band that this rank owns entirely [voxels^2, voxels^3]. */
 inline SkinMeasure MeasureSkin(const LeafTable& table)
 {
   return SumSkin(table).Get();

@@ -45,8 +45,8 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, un
 }
 
 /**
- * Finds the speed of the surface at the nodes of crossed edges. In a moving leaf, the speed in the
- * first row usually exceeds Enough; other rows are then skipped.
+ * Finds the largest speed of the surface at the nodes of crossed edges. If the speed in the first
+ * row exceeds Enough, as in most moving leaves, other rows are skipped.
  */
 struct FindRate
 {

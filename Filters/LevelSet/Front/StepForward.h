@@ -19,13 +19,13 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** Coefficients of one substep; lengths in voxels. */
+/** Coefficients of one substep; h: voxel size. */
 struct StepCoefficients
 {
   float Advection = 0.f;  //< dt / h
   float Tension = 0.f;    //< dt Tension / h^2
   float Relaxation = 0.f; //< q
-  float Uniform = 0.f;    //< speed of all nodes, added to the target speed
+  float Uniform = 0.f;    //< speed of all nodes, added to the target speed [length/time]
   bool HasTargetSpeed = false;
   bool Central = false; //< central differences in the advective term
 
@@ -53,7 +53,7 @@ struct GradientCounts
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 
-/** Sets Next of the active leaves from the values of all active nodes (Jacobi). */
+/** Sets Next of the active leaves from the values before the step (Jacobi). */
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers);
 

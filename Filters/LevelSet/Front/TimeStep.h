@@ -33,12 +33,13 @@ double HeldVolume(const Motion& motion, const SkinMeasure& start);
 /** Returns the target's rates in the sum that limits the time step [1/time]; see Motion::CFL. */
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
 
-/** The largest stable step; infinite if nothing moves. */
+/** CFL times the largest stable step [time]; infinite if nothing moves. The paper's scheme uses
+ * PaperTimeStep. */
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty);
 
-/** The coefficient q of reinitialisation. tracking: TrackingRate * step; advection: voxels per
- * step. */
+/** The coefficient q of reinitialisation. tracking: TrackingRate * step; advection: largest
+ * displacement in the step [voxels]. */
 double RelaxationFor(double tracking, double advection);
 
 /** Throws std::invalid_argument for invalid parameters. */
@@ -54,7 +55,7 @@ void CheckSize(std::size_t count, std::size_t maximum);
 /** Throws std::runtime_error if the potential would be unbounded after the substep that begins at
  * `time`. Called before the next potential is committed, so that the last bounded potential is
  * kept. No other check is needed: measures, output and displacements of a bounded potential are
- * finite, and the paper's scheme clamps the potential. */
+ * finite, and the paper's scheme and the node scheme clamp the potential. */
 void CheckBounded(bool isUnbounded, double time);
 
 /** Returns the factor that converts a speed to voxels per step. */

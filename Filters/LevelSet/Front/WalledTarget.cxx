@@ -9,7 +9,8 @@
 namespace activesurface
 {
 
-/** Positive beyond the walls or in the obstacle; -infinity without walls and obstacle. */
+/** Distance beyond the walls, or depth in the obstacle if larger [world units]: positive where the
+ * surface may not be; -infinity without walls and obstacle. */
 double WalledTarget::DistanceBeyond(const double x[3]) const
 {
   const double walls = this->Box.Present ? DistanceToWalls(this->Box, x) : -HUGE_VAL;

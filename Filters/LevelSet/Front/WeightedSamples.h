@@ -1,9 +1,10 @@
 /**
- * Means of the target's values on the crossed edges around each node of a leaf (the paper, 4.3).
+ * Means of the target's values on the crossed edges around each node of a leaf (section 4.3 of the
+ * paper, see NarrowBand.h).
  *
  * The weight of a sample is 1/t^2, where t is the fraction of the edge from the node to the
- * crossing. If the surface is a plane, the mean is the value at the point of the plane closest to
- * the node.
+ * crossing. If the values are linear in space, and the surface is a plane that crosses an edge of
+ * the node on each axis, the mean is the value at the point of the plane closest to the node.
  */
 #ifndef WeightedSamples_h
 #define WeightedSamples_h
@@ -22,7 +23,7 @@ namespace activesurface
 class WeightedSamples
 {
 public:
-  /** isPlain: all weights are 1, as in the paper. */
+  /** isPlain: all weights are 1, as in the paper's scheme. */
   ACTIVE_ALWAYS_INLINE explicit WeightedSamples(bool isPlain)
     : IsPlain(isPlain)
   {

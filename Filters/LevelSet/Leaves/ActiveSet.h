@@ -1,5 +1,5 @@
 /**
- * The leaves that a substep works on. All other leaves have converged and are skipped.
+ * The leaves that a pass works on. In a substep, all other leaves have converged and are skipped.
  */
 #ifndef ActiveSet_h
 #define ActiveSet_h

@@ -11,8 +11,8 @@
 namespace activesurface
 {
 
-/** Returns the squared gradient at a node [1/voxel^2], by central differences in the precision
- * Real. valueAt(coordinates): the value of a node. */
+/** Returns the squared norm of the gradient [change per voxel] at a node, by central differences in
+ * the precision Real. valueAt(coordinates): the value of a node. */
 template <class Real, class ValueAt>
 Real CentralGradientSquare(const openvdb::Coord& node, ValueAt&& valueAt)
 {

@@ -1,6 +1,6 @@
 /**
- * The second-order eikonal update of a node. a is the distance at the node. a1 and a2 are the
- * distances at the nodes one and two steps away along each axis, on the nearer side; distances
+ * The second-order eikonal update of a node. a is the distance at the node [voxels]. a1 and a2 are
+ * the distances at the nodes one and two steps away along each axis, on the nearer side; distances
  * beyond the surface are negative:
  *
  *   sum of w^2 (a - t)^2 = 1,   t = (4 a1 - a2) / 3, w = 3/2 if there is an a2 <= a1,

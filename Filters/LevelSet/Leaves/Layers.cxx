@@ -99,7 +99,7 @@ ACTIVE_ALWAYS_INLINE LeafMask HaveDiagonals(const LeafTable& table, const BandLe
   return complete;
 }
 
-/** Finds the nodes of the band and the pockets beyond it. */
+/** Finds the active nodes: layers 0 to 2, and the pockets in larger layers. */
 ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
 {
   BandLeaf& leaf = table[i];
@@ -126,8 +126,8 @@ ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
   }
 }
 
-/** Sets nodes that have left the layers to the background. Other nodes outside the layers have this
- * value already. */
+/** Sets nodes that have left the layers to + or - the background, by their signs. Other nodes
+ * outside the layers have + or - the background already. */
 ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf)
 {
   leaf.HoldsStaleValue.Without(leaf.UpToLayer[LastLayer])

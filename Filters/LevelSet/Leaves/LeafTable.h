@@ -29,7 +29,8 @@ using PotentialLeaf = PotentialTree::LeafNodeType;
 constexpr std::int32_t NoLeafOutside = -1;
 constexpr std::int32_t NoLeafInside = -2;
 
-/** Magnitude of u beyond the layers [voxels]; only the sign has a meaning. */
+/** Magnitude of u beyond the layers [voxels]; only the sign of this u has a meaning. The paper's
+ * scheme has PaperThreshold instead. */
 constexpr float Far = 1000.f;
 
 /** Numbers of leaves, ascending except in FindTreeOrder. */
@@ -57,8 +58,8 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** The speed in a leaf, valid until the leaf or a neighbour is updated, or the target changes near
- * the leaf. */
+/** The speed in a leaf [length/time], valid until the leaf or a neighbour is updated, or the target
+ * changes near the leaf. */
 struct LeafSpeed
 {
   bool IsKnown = false;

@@ -11,7 +11,8 @@
 namespace activesurface
 {
 
-/** 512 numbers per leaf, in blocks of 64 KiB, which fit into free memory of the heap. */
+/** 512 numbers per leaf, in blocks of 64 KiB, small enough for memory of the heap that was freed
+ * before. */
 class NodeArrays
 {
 public:

@@ -115,8 +115,8 @@ struct Interval
   double Attraction;
 };
 
-/** Returns the interval that contains a time before `end`. The intervals depend only on `end`, not
- * on the requested times or on interruptions. */
+/** Returns the interval that contains a time before `end`. The intervals divide [0, end] and depend
+ * only on `end`, not on the requested times or on interruptions. */
 Interval FindInterval(double time, double end)
 {
   Interval interval{ 0.0, 0.0 };

@@ -25,10 +25,11 @@ class NarrowBand;
 struct SkinForces;
 
 /**
- * Creates a small core for each part and each hollow of the target that the surface does not reach.
- * Call before the first Advance. Returns the number of created parts and hollows. Parts that the
- * target does not report are searched for on a lattice of at most 64 cells along an axis. bounds:
- * box of this lattice (xmin xmax ymin ymax zmin zmax).
+ * Creates a small core for each part and each hollow of the target that the surface does not reach,
+ * or meets only in a region too thin to grow from. Call before the first Advance. Returns the
+ * number of created parts and hollows. Parts that the target does not report are searched for on a
+ * lattice of at most 64 cells along an axis. bounds: box of this lattice (xmin xmax ymin ymax zmin
+ * zmax).
  */
 ACTIVELEVELSET_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);
@@ -37,16 +38,17 @@ class ACTIVELEVELSET_EXPORT Arrival
 {
 public:
   /** The caller owns the target. Remaining distances are computed for the current surface, within
-   * the bounds; beyond the bounds the distance is |F|. */
+   * the bounds; elsewhere, and if too many nodes differ (DifferingNodes.h), the distance is |F|. */
   Arrival(const NarrowBand& band, Target& target, const double bounds[6]);
   ~Arrival();
 
   /** Moves the band like NarrowBand::Advance, so that the surface arrives at the target at the time
-   * `end`. Before `end` the Attraction of the motion is ignored and no parts are created. */
+   * `end`. Before `end` the Attraction of the motion is ignored and no parts are created; from
+   * `end` on the motion acts as given. */
   AdvanceReport Advance(NarrowBand& band, double time, double end, const Motion& motion,
     const ProgressFunction& progress = {}) const;
 
-  /** activesurface::FindSpeeds at a time before `end`. */
+  /** Like activesurface::FindSpeeds, for a band at a time before `end`. */
   std::vector<float> FindSpeeds(const NarrowBand& band, double end, const SkinForces& forces) const;
 
 private:

@@ -34,7 +34,8 @@ struct ArrivalSearch
 };
 
 /** Maximum number of differing nodes; a search that finds this number takes a fraction of a second.
- * If more nodes differ, the lattice is coarsened by factors of two, up to LargestStride. */
+ * If more nodes differ, the lattice is coarsened by factors of two, up to a spacing of
+ * LargestStride voxels. */
 constexpr std::size_t MostDifferingNodes = 400000;
 constexpr int LargestStride = 8;
 
@@ -58,7 +59,7 @@ public:
 
   /** Adds a differing node that was not found from the surface, and all differing nodes connected
    * with this node. Returns false if the node was found before, does not differ or is out of
-   * bounds. */
+   * bounds, or if IsCut. */
   bool AddFrom(const openvdb::Coord& place);
   /** Returns the given nodes that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;

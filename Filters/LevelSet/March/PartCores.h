@@ -1,5 +1,6 @@
 /**
- * Cores of parts and voids that only the target has. From each core a surface grows to the target.
+ * Cores of parts and voids of the target into which the surface would not grow. From each core a
+ * surface grows to the target.
  */
 #ifndef PartCores_h
 #define PartCores_h
@@ -14,14 +15,14 @@ namespace activesurface
 /** A ball at the deepest point of a part (inside the target) or of a void (outside the target). */
 struct PartCore
 {
-  std::array<double, 3> Centre;
-  double Radius;
+  std::array<double, 3> Centre; //< [world units]
+  double Radius;                //< [world units]
   bool IsHollow;
 };
 
-/** Returns a core for each part that the surface does not reach, or meets only in a region too thin
- * to grow from. Parts are those that the target reports, and those found on a lattice of at most 64
- * cells along an axis. Returns no cores if too many nodes differ. */
+/** Returns a core for each part or void that the surface does not reach, or meets only in a region
+ * too thin to grow from. Parts and voids are those that the target reports, and those found on a
+ * lattice of at most 64 cells along an axis. Returns no cores if too many nodes differ. */
 std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
 
 /** A target that consists only of the cores. */

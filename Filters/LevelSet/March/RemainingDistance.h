@@ -12,7 +12,7 @@
  * K / (remaining time) the front in a thin part of the target stays flat across the part, and all
  * points of the surface arrive at once.
  *
- * Exception: K is d(x,y) if y is in the middle of a vanishing part and d(x,y) < 1.1 (T(y) - T(x));
+ * Exception: K is d(x,y) if y is in the middle of a vanishing part and d(x,y) <= 1.1 (T(y) - T(x));
  * the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump, which would grow
  * unless it moved farther than its neighbours. Near the surface K is about |F| if the target F is a
  * distance.
@@ -33,7 +33,8 @@ public:
 
   /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at which
    * the surface has to grow (grow[i]), or to shrink (not grow[i]). A distance is negative if no
-   * corner of the voxel around the point is such a node. */
+   * corner of the lattice cell around the point is such a node, or a neighbour of such a node
+   * across the surface. */
   void Find(std::size_t count, const double* points, const bool* grow, double* distances) const;
 
 private:

@@ -13,27 +13,30 @@ namespace activesurface
 namespace
 {
 
-/** Least number of stages: five decays by e^(-1.2) at the usual Attraction dt = 6. With five stages
- * differences over 2 and 4 nodes compute all of the automatic tension over voxels of r. */
+/** Least number of stages with attraction: five decays by e^(-1.2) at the automatic Attraction dt =
+ * 6. In five stages, differences over 2 and 4 nodes compute the whole automatic tension if h is at
+ * least half of the particle spacing. */
 constexpr int FewestStages = 5;
 
 /** Without attraction, up to this number of stages compute all tension by differences over 2 nodes.
  * Wider differences are less accurate on thin parts. */
 constexpr int FineStages = 64;
-/** Largest Tension dt / h^2 of such a stage: explicit diffusion is stable up to 1/6. */
+/** Largest Tension dt / h^2 of a stage by differences over 2 nodes only: explicit diffusion is
+ * stable up to 1/6. */
 constexpr float TensionOfFineStage = .15f;
 
-/** Largest Tension dt / h^2 of another stage by differences over 2 and 4 nodes, and by these and
- * differences over 8 nodes. A stage multiplies a wave on a flat surface by 1 - g; g is the sum of
- * these tensions, each times the factor of its differences. Over all normals and waves g is at most
- * 1.66. If g exceeded 2, waves of three nodes would grow from stage to stage. Differences over 8
- * nodes compute a third of the tension at most: with half of it, waves of 8 nodes are damped so
- * little that they show. */
+/** Largest Tension dt / h^2 of any other stage: by differences over 2 nodes, by differences over 4
+ * nodes, and by all differences (over 2, 4 and 8 nodes). A stage multiplies a wave on a flat
+ * surface by 1 - g; g is the sum of Tension dt / h^2 by the differences over 2, 4 and 8 nodes, each
+ * times the factor of these differences for the wave. Over all normals and waves g is at most 1.66.
+ * If g exceeded 2, waves of three nodes would grow from stage to stage. Differences over 8 nodes
+ * compute a third of the tension at most: with half of it, waves of 8 nodes are damped so little
+ * that they show. */
 constexpr float TensionOfStage = .1f, SecondOfStage = .5f, TensionOfStages = .9f;
 
 /**
- * Factor of the attraction within the noise. With this factor and Attraction dt = 6, distances fall
- * by a sixth per frame.
+ * Factor of the attraction within the noise of a body. With this factor and Attraction dt = 6,
+ * distances fall by a sixth per frame.
  */
 constexpr float SlowShare = .03f;
 /**
@@ -41,14 +44,15 @@ constexpr float SlowShare = .03f;
  * body is multiplied by NoiseOfFull, because the particles of a body agree on the surface.
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
-/** If attraction and tension are out of balance by less than Imbalance times the noise, both rates
- * are reduced to the fraction SlowestShare of the attraction. */
+/** If, in a body, attraction and tension are out of balance by less than Imbalance times the noise,
+ * both rates are reduced to the fraction SlowestShare of the attraction. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
-/** Weight of tension: the bulk times a factor that is TensionOfHalf up to FullFrom, 1 from FullTo
- * on. */
+/** Weight g of tension (NodeStages.h): the bulk times a factor that is TensionOfHalf up to the bulk
+ * FullFrom, and 1 from FullTo on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
-/** |grad G| of row (x, y) by central differences [1/voxel]. */
+/** |grad G| of a row by central differences [1/voxel]. c: the row of the target's potential G in a
+ * block. */
 ACTIVE_ALWAYS_INLINE Lanes SlopeOf(const float* c)
 {
   constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
@@ -58,7 +62,7 @@ ACTIVE_ALWAYS_INLINE Lanes SlopeOf(const float* c)
   return AllLanes(.5f) * Root(gx * gx + gy * gy + gz * gz);
 }
 
-/** Distances, and the slack if Slack is not null. */
+/** Sets the distances Psi, and the slack if Slack is not null; see FindDistances. */
 struct DistanceKernel
 {
   const NodeLeaves& Leaves;
@@ -89,8 +93,8 @@ struct DistanceKernel
   }
 };
 
-/** Number of stages, and the largest Tension dt / h^2 of all stages by differences over 2 and 4
- * nodes. */
+/** Number of stages, and the largest Tension dt / h^2 of all stages together: First by differences
+ * over 2 nodes, Second by differences over 4 nodes. */
 struct StagePlan
 {
   int Count;
@@ -223,7 +227,7 @@ private:
     {
       this->Slow(u, miss, pull, bulk, rate, lambda);
     }
-    // Exponential Euler: exact without tension, and at a steady state. e^x = 1 + x * series.
+    // Exponential Euler, exact at a steady state. e^x = 1 + x * series, to the fourth power of x.
     const Lanes x = AllLanes(share) * rate * lambda;
     const Lanes series =
       one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)));
@@ -259,16 +263,17 @@ private:
   }
 };
 
-/** Volume and area of the skin [voxels^3, voxels^2], estimated at the nodes. A node within half a
- * voxel of the skin counts partly for the volume, and as 1 for the area. */
+/** Area of the skin [voxels^2], and volume inside the skin in the leaves [voxels^3], estimated at
+ * the nodes. A node within half a voxel of the skin counts partly for the volume, and as 1 for the
+ * area. */
 struct SkinEstimate
 {
   double Volume = 0.0, Area = 0.0;
 };
 
 /** Keeps the volume of a skin with NodeFreedom from stage to stage. Otherwise tension would press
- * the skin against the inner limit of its freedom. This limit has the steps of the pixels, so the
- * skin would show the steps. */
+ * the skin against the inner limit of the freedom. The inner limit has the steps of the pixels, so
+ * the skin would show the steps. */
 class VolumeKeeper
 {
 public:
@@ -278,7 +283,8 @@ public:
     , AtStart(this->Estimate().Volume)
   {
   }
-  /** Returns the shift of the potential that restores the volume, to first order. */
+  /** Returns the shift of the potential [voxels] that restores the volume, to first order; 0
+   * without freedom. */
   float FindShift()
   {
     const SkinEstimate now = this->Estimate();

@@ -4,11 +4,11 @@
  *
  *   w' = b g kappa |grad w| + a s (psi - w)
  *
- * over one unit of time, the frame's dt. a = Attraction dt, b = Tension dt / h^2, g is the weight
- * of tension, psi the signed distance to the target [voxels], kappa the sum of the principal
+ * over one unit of time, the frame's duration dt. a = Attraction dt, b = Tension dt / h^2, g is the
+ * weight of tension, psi the signed distance to the target [voxels], kappa the sum of the principal
  * curvatures. s is small in a body of particles where |psi - w| is within the noise of the body's
- * surface, otherwise 1. At a fixed point attraction and tension balance, exactly as in the equation
- * of motion.
+ * surface, otherwise 1. Where the two terms nearly balance in a body with noise, both are reduced
+ * by the same factor. At a fixed point the two terms balance exactly, for any number of stages.
  *
  * Around a target with NodeFreedom there is only tension, and w stays within psi +- slack. Slack is
  * the half-width of the freedom [voxels].
@@ -49,12 +49,13 @@ struct NodeFields
 };
 
 /** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit; with a freedom, also the
- * slack = HalfWidth / |grad G|. |grad G| is at least LeastSlope. G is `potential`, which is 1 far
- * from the target. psi is at the limit outside the rows of the shell. */
+ * slack = HalfWidth / |grad G|. |grad G| is at least LeastSlope. G is `potential`, which is + or -
+ * 1 outside the rows of the shell. Where |grad G| vanishes, psi is + or - NodeLimit. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 
-/** Returns the fraction of a change of psi [voxels] that the potential follows in a frame. */
+/** Returns the fraction of a change of psi [voxels] that the potential follows in a frame by
+ * attraction. */
 float FindFollowedShare(const StageCoefficients& coefficients, float change, float bulk);
 
 void RunStages(const NodeFields& fields, const StageCoefficients& coefficients);

@@ -1,6 +1,7 @@
 /**
- * A frame of the node scheme. The motion of the target carries the potential. The target is
- * evaluated once, at the nodes near its surface. Stages move the potential towards the target.
+ * A frame of the node scheme. The motion of the target carries the potential; the first frame, and
+ * each frame with NodeFreedom, begins at the target instead. The target is evaluated once, at the
+ * nodes near its surface. Stages apply attraction and tension (NodeStages.h).
  *
  * The scheme needs no extension of speeds and no search for parts. Where the target has a new part,
  * the distance to the target is negative, so the part appears. Where the target has lost a part,
@@ -25,7 +26,7 @@ namespace activesurface
 struct NodeFrame
 {
   OldPotential& Old;
-  double Begin, End; //< motion times; if equal, the frame begins at the target
+  double Begin, End; //< times of the band; if equal, the frame begins at the target
   double Duration;   //< of attraction and tension; End - Begin if End > Begin
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
@@ -42,7 +43,7 @@ public:
    */
   openvdb::FloatTree::Ptr Make(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 
-  /** Returns the number of nodes at which the last frame evaluated the target. */
+  /** Returns the number of this rank's nodes at which the last frame evaluated the target. */
   std::size_t CountEvaluations() const;
 
 private:

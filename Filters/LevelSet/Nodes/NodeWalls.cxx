@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-/** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
+/** Half the diagonal of a leaf's nodes, plus NodeLimit [voxels]. */
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
 /** Limits of the cosine between the normal of a surface and the direction to a wall. The shift onto
@@ -189,8 +189,8 @@ void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float g
     });
 }
 
-/** Raises numbers to the depths in walls and obstacle. Sets Rows to all rows in leaves near walls
- * or obstacle. */
+/** Raises numbers to at least the depths in walls and obstacle, at most NodeLimit [voxels]. Sets
+ * Rows to all rows in leaves near walls or obstacle. */
 void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
 {
   if (!motion.Box.Present && !motion.Solid)

@@ -95,7 +95,8 @@ public:
 
   /** A rank that failed calls this in place of the operation that the other ranks call. Throws
    * RankError on all ranks, with the message of the lowest rank that failed. The number of that
-   * rank precedes the message, unless all ranks have failed with the same message. */
+   * rank precedes the message, unless all ranks have failed with the same message, or that rank has
+   * called FailForMemory. */
   [[noreturn]] void Fail(const std::string& sentence) const;
   /**
    * Fails because memory is exhausted. Throws RankMemoryError on all ranks, unless a lower rank has
@@ -110,9 +111,9 @@ private:
   std::shared_ptr<Communicator> Ranks;
 };
 
-/** Runs a task on every rank. The task may call collective operations. An exception on one rank
- * becomes a RankError on all ranks. Ranks wait for each other at the end, so that a late error of
- * a rank still reaches all ranks. */
+/** Runs a task on every rank. The task may call collective operations. A std::exception on one rank
+ * becomes a RankError on all ranks. Ranks wait for each other at the end, so that a late error of a
+ * rank still reaches all ranks. */
 template <class Task>
 void RunTogether(const Agreement& ranks, Task&& task)
 {

@@ -137,7 +137,7 @@ float LargestOf(const openvdb::FloatTree& function)
   return largest;
 }
 
-/** Planes of leaves begin..end - 1 along x. */
+/** Planes of leaves Begin..End - 1 along x. */
 struct Slab
 {
   int Begin;

@@ -33,8 +33,8 @@ struct NodeFunction
  * distance. Sweeping needs several times the memory of its input, so the sweeping is done slab by
  * slab.
  *
- * Returns a tree of distances [voxels] with background Far and inside tiles -Far; null if nothing
- * is inside. Clears the crossed nodes to free their memory.
+ * Returns a tree of distances [voxels] with background Far and inside tiles -Far; null if no value
+ * is clearly negative (HasInside). Clears the crossed nodes to free their memory.
  */
 openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function);
 

@@ -19,7 +19,7 @@ openvdb::Coord LeafCoordinates(const openvdb::Coord& origin)
 }
 
 /** Finds the box of the nodes in a region and next to the region. Returns false if the box is
- * empty. */
+ * empty, or the region is empty or not finite. */
 bool FindNodes(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
   openvdb::Coord& first, openvdb::Coord& last)
 {

@@ -30,7 +30,7 @@ inline int NumberInLeaf(const openvdb::Coord& node)
   return (node[0] & 7) << 6 | (node[1] & 7) << 3 | (node[2] & 7);
 }
 
-/** Leaves, numbered in the order of insertion, each with a mask of its nodes. Results do not
+/** Leaves, numbered in the order of insertion, each with a mask of its nodes. Potentials do not
  * depend on the order. */
 class LeafSigns
 {

@@ -31,7 +31,7 @@ int FindRings(const SurfacePoints& surface, double voxelSize)
 }
 
 /** Adds the nodes near the surface points. Rejects too many nodes before creating all of them: each
- * point counts as a surface area of Reach * Reach. */
+ * node that is nearest to a point counts as a surface area of Reach * Reach. */
 void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximumNumberOfActiveVoxels, openvdb::MaskTree& wanted)
 {

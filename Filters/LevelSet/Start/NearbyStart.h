@@ -13,17 +13,17 @@ namespace activesurface
 
 /**
  * Returns a potential with the same surface as that of MakeInitialPotential, up to rounding. The
- * cost is proportional to the function's regions, independent of the bounds. The function is
- * sampled in the leaves that the regions touch. Leaves outside the regions that are connected with
- * an inside node are filled without evaluations.
+ * function is sampled only in the leaves that its regions touch. Leaves outside the regions that
+ * are connected with an inside node are filled without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
   const ProgressFunction& progress);
 
 /**
- * Returns a potential bitwise identical to that of MakeInitialPotential, at a cost proportional to
- * the points. The function is sampled at the nodes near the points and at the faces of the bounds.
+ * Returns a potential bitwise identical to that of MakeInitialPotential. The function is sampled
+ * only at the nodes near the points, and near those faces of the bounds that meet
+ * SurfacePoints::Bounds.
  */
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

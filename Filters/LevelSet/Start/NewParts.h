@@ -5,7 +5,7 @@
  * Nodes where the signs of the target and of the potential differ are called differing. The skin
  * will reach a differing node if edges between differing nodes connect this node with layer 0,
  * where the sample points of the skin are. All other differing nodes form the new parts and voids;
- * the target repels the skin from these nodes. The search follows connected nodes, from the
+ * Attraction moves the skin away from these nodes. The search follows connected nodes, from the
  * target's regions, and from parts of the input shapes that the skin does not meet at all. Voids,
  * and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the lattice
  * would remove narrow parts, and the search would find these parts again.

@@ -22,10 +22,10 @@ namespace
  * Distances in the layers of a band, from its signs and a function.
  *
  * A distance is the function's first-order distance |F| / |grad F|, by central differences. This
- * distance is exact if F is a distance, and smooth where F is smooth. The distance is limited to
- * 0.5 to 1.5 times the distance to the crossings on edges, which eikonal updates (EikonalUpdate.h)
- * propagate from node to node. A sweep uses only nodes of earlier sweeps, so the order within a
- * sweep does not matter.
+ * distance is second-order accurate if F is a distance, and smooth where F is smooth. The distance
+ * is limited to 0.5 to 1.5 times the distance to the crossings on edges, which eikonal updates
+ * (EikonalUpdate.h) propagate from node to node. A sweep uses only nodes of earlier sweeps, so the
+ * order within a sweep does not matter.
  */
 class PartDistances
 {
@@ -57,7 +57,7 @@ private:
   float MagnitudeAt(const LeafTable::Place& place) const;
 
   LeafTable& Table;
-  std::vector<std::unique_ptr<double[]>> Function; // |F| in the layers, negative inside
+  std::vector<std::unique_ptr<double[]>> Function; // F in the layers, with the signs of the table
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 };

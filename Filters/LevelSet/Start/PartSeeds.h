@@ -1,5 +1,6 @@
 /**
- * Finds leaves from which the search for new parts starts: leaves that contain a node of a part.
+ * Finds leaves from which the search for new parts starts: leaves that may contain a node of a new
+ * part or void.
  */
 #ifndef PartSeeds_h
 #define PartSeeds_h
@@ -26,7 +27,7 @@ struct PartSearch
   std::size_t MaximumNumberOfActiveVoxels;
   double LeastRadius; //< of a void, or part of a shape, that survives Tension [length]
 
-  /** Returns LeastRadius in voxels, at least 1. */
+  /** Returns LeastRadius in voxels, rounded up, at least 1. */
   int GetLeastSteps() const;
 };
 

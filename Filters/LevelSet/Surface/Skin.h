@@ -3,9 +3,9 @@
  *
  * Each crossed lattice edge has one vertex, where the linear interpolation is zero, but at least
  * max(2^-13, 2 epsilon N) voxel from the nodes. epsilon is the machine epsilon of the coordinates,
- * N the largest node coordinate. Triangles are made voxel by voxel (see CubeTriangles.h). Only the
- * band is visited. Vertices and triangles are written in the order of the leaves, so equal
- * potentials give bitwise identical skins.
+ * N the largest magnitude of a node coordinate. Triangles are made voxel by voxel (see
+ * CubeTriangles.h). Only the band is visited. Vertices and triangles are written in the order of
+ * the leaves, so equal potentials give bitwise identical skins.
  */
 #ifndef Skin_h
 #define Skin_h

@@ -7,10 +7,10 @@
  *
  *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
  *
- * The value is a first-order distance: exact at the surface, good within about 1.5 voxels. Beyond
- * all layers u is +-HalfWidth and the gradient norm is 1. Gradient norms below 0.05 count as 0.05.
- * The sign is that of U, so the surface passes through the vertices of the Skin, except vertices
- * that Skin.h keeps away from a node.
+ * The value is a first-order distance: exact at the surface, and accurate up to about 1.5 voxels
+ * from the surface. Beyond all layers u is +-HalfWidth and the gradient norm is 1. Gradient norms
+ * below 0.05 count as 0.05. The sign is that of U, so the zero set passes through the vertices of
+ * the Skin, except vertices that Skin.h keeps away from a node.
  *
  * Evaluation needs constant time, allocates nothing and is thread-safe. Memory: two numbers for
  * each node of the band's leaves.
@@ -63,8 +63,8 @@ private:
  * Writes the signed distance to the surface [world units], negative inside, at the lattice nodes
  * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest. The distance is the
  * potential divided by its gradient norm. This first-order distance is exact at the surface, and
- * good within about 1.5 voxels. The distance is clamped to +-HalfWidth voxels, the value beyond the
- * band.
+ * accurate up to about 1.5 voxels from the surface. The distance is clamped to +-HalfWidth voxels,
+ * the value beyond the band.
  */
 ACTIVELEVELSET_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);

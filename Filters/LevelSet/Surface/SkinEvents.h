@@ -15,12 +15,12 @@ namespace activesurface
  * Returns the events that have happened, in this order, separated by ", "; empty if none: "merge",
  * "split", "vanish", "birth", "void opens", "void closes", "hole opens", "hole closes".
  *
- * Parts at the two times count as the same body if they touch neighbouring blocks (PartBlock), so a
- * part must move less than 4 voxels in between. A body that is missing afterwards and had other
- * bodies in neighbouring blocks has merged if these bodies have grown by at least half of the
- * missing body's volume; otherwise the body has vanished. A merge and a split among neighbouring
- * bodies cancel and are not reported. A birth cancels a vanishing, and an opening cancels a
- * closing, wherever they happen.
+ * Parts at the two times count as the same body if they touch equal or neighbouring blocks
+ * (PartBlock), so a part must move less than 4 voxels in between. A body that is missing afterwards
+ * and had other bodies in neighbouring blocks has merged if these bodies have grown by at least
+ * half of the missing body's volume; otherwise the body has vanished. A merge and a split among
+ * neighbouring bodies cancel and are not reported. A birth cancels a vanishing, and an opening
+ * cancels a closing, wherever they happen.
  */
 ACTIVELEVELSET_EXPORT std::string FindEvents(
   const std::vector<SkinPart>& before, const std::vector<SkinPart>& after);

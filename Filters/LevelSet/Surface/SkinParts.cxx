@@ -56,7 +56,7 @@ struct ConnectedTriangles
   std::int64_t FirstVertex = std::numeric_limits<std::int64_t>::max();
   std::int64_t Vertices = 0;
   std::int64_t Triangles = 0;
-  FixedSum Area, Volume; //< [voxels]
+  FixedSum Area, Volume; //< [voxels^2, voxels^3]
   std::int64_t NumberOfBlocks = 0;
 
   void Add(const ConnectedTriangles& other)
