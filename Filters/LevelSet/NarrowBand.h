@@ -78,9 +78,9 @@ public:
   ///@{
   /**
    * Pack returns the state as bytes, lossless (see State/PackedBand.h). Unpack returns the band
-   * restored from these bytes. Further motion of the restored band is bitwise identical. The bytes
-   * are for this process, not for files, and do not include GetWork and the limits of threads and
-   * active voxels. part: SharePart of the packed band.
+   * restored from these bytes. Further motion of the restored band by Advance is bitwise identical
+   * to that of the packed band. The bytes are for this process, not for files, and do not include
+   * GetWork and the limits of threads and active voxels. part: SharePart of the packed band.
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(

@@ -110,7 +110,7 @@ ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
   return root;
 }
 
-/** Returns one bit for each lane in which the condition is true. */
+/** Returns one bit for each lane: 1 if the condition is true. */
 ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 {
 #ifdef __SSE2__

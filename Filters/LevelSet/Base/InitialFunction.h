@@ -39,10 +39,10 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together contain the zero set. With boxes, the number of evaluations in
-   * NarrowBand::Start depends on the boxes, not on the size of the bounds. Outside the boxes the
-   * function keeps its sign, and is evaluated only at nodes near the boxes. Empty: the boxes are
-   * unknown. If Surface is unknown too, the function is sampled everywhere within the bounds.
+   * Visits boxes that together contain the zero set. With boxes, NarrowBand::Start does not sample
+   * the whole bounds. Outside the boxes the function keeps its sign, and is evaluated only at nodes
+   * near the boxes, and where the bounds cut the shape. Empty: the boxes are unknown. If Surface is
+   * unknown too, the function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 

@@ -40,7 +40,7 @@ struct Shell
 struct LeafMotion
 {
   static constexpr int Points = 27;
-  float Displacement[3][Points]; //< since the last frame [voxels]
+  float Displacement[3][Points]; //< since NodeMotion::Begin, times Transport [voxels]
   float Bulk[Points];            //< in [0,1]: 0 around an isolated particle, 1 in a body
   bool IsStill = true;           //< all displacements are 0
 };

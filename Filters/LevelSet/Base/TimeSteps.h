@@ -21,8 +21,8 @@ struct StepOfTime
 /**
  * Finds the step of a time. steps: ascending, at least one. A time before the first step gives the
  * first step, a time after the last step gives the last step. A time that differs from a step by at
- * most a millionth of the interval between two steps gives this step, so that rounding (0.1 + 0.2
- * for 0.3) does not select another step.
+ * most a millionth of the interval that contains the time gives this step, so that rounding (0.1 +
+ * 0.2 for 0.3) does not select another step.
  */
 ACTIVELEVELSET_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
 

@@ -16,7 +16,8 @@ struct Walls
   double Bounds[6] = {}; //< xmin xmax ymin ymax zmin zmax, world units
 };
 
-/** A periodic box: a surface that leaves through one side enters through the opposite side. */
+/** A periodic box [world units]: a surface that leaves through one side enters through the opposite
+ * side. */
 struct Periods
 {
   double Low[3] = {};

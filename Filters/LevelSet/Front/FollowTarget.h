@@ -26,7 +26,7 @@ struct FollowingBand
 
 /** Samples the target at its current time, and chooses the active set. In the affected leaves, sets
  * the speed of the nodes with samples. Omits converged leaves if mayLeaveOut and leaves can
- * converge (ConvergedLeaves.h). */
+ * converge (CanConverge in FollowTarget.cxx). */
 TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
   const Target& target, AdvanceReport& report);
 

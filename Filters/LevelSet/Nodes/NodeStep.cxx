@@ -101,7 +101,7 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
 {
   const bool isConfined = motion.Box.Present || motion.Solid;
   target.FindShell(isConfined || frame.Space, this->Near);
-  // A leaf that the surface crosses has at least an eighth of its nodes active.
+  // On average, a leaf that the surface crosses has more than an eighth of its nodes active.
   constexpr std::size_t fewestNodes = 64, margin = 4;
   CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
   if (isConfined)

@@ -175,8 +175,8 @@ std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
   return slabs;
 }
 
-/** A slab and its margins in a separate tree, shifted so that few nodes of the tree contain the
- * slab. */
+/** A slab and its margins in a separate tree, shifted so that few internal nodes of the tree
+ * contain the slab. */
 class SweptSlab
 {
 public:
@@ -259,7 +259,8 @@ openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFun
     return nullptr;
   }
   openvdb::tools::signedFloodFillWithValues(*tree, Far, -Far);
-  // Distances replace the function of a slab after the next slab has copied its margin.
+  // Distances replace the function of a slab only after the next slab has copied the function in
+  // the margin.
   std::unique_ptr<SweptSlab> before;
   for (const Slab& slab : FindSlabs(*tree))
   {

@@ -13,8 +13,8 @@ namespace activesurface
 
 /**
  * Returns a potential with the same surface as that of MakeInitialPotential, up to rounding. The
- * function is sampled only in the leaves that its regions touch. Leaves outside the regions that
- * are connected with an inside node are filled without evaluations.
+ * signs are sampled only in the leaves that the function's regions touch. Leaves outside the
+ * regions that are connected with an inside node are filled without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

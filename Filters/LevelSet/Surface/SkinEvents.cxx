@@ -10,15 +10,15 @@ namespace activesurface
 namespace
 {
 
-/** Bodies, before and after the interval, that neighbouring blocks connect. */
+/** Bodies, before and after the interval, that equal or neighbouring blocks connect. */
 struct Family
 {
   std::vector<double> Before; //< volumes
   std::vector<double> After;
 };
 
-/** Sets of parts that neighbouring blocks connect. Parts of `after` are numbered after the parts of
- * `before`. */
+/** Sets of parts that equal or neighbouring blocks connect. Parts of `after` are numbered after the
+ * parts of `before`. */
 class Kinship
 {
 public:
