@@ -277,7 +277,9 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
 void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   const std::vector<float>& curvatures, std::vector<float>& speeds)
 {
-  const Motion& motion = forces.Parameters;
+  Motion motion = forces.Parameters;
+  motion.Evaluation = TargetEvaluation::Shifted; // one sample for each vertex
+  motion.Paper = false;
   SubstepBuffers buffers;
   if (motion.Attraction > 0.0)
   {

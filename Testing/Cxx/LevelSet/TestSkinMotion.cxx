@@ -106,6 +106,16 @@ Course MakeGrowth()
   return { "growth", MakeBall(CentreA, 0.3), path, MotionOf(1.0, 0.02), 0.3 };
 }
 
+// The target is evaluated at other points than the skin's vertices.
+Course MakeGrowthBy(TargetEvaluation evaluation, bool paper)
+{
+  Course course = MakeGrowth();
+  course.Name = paper ? "growth by the paper's scheme" : "growth from values at nodes";
+  course.Way.Evaluation = evaluation;
+  course.Way.Paper = paper;
+  return course;
+}
+
 // The course ends before the ball splits.
 Course MakeSplit()
 {
@@ -145,7 +155,10 @@ Course MakePenalised()
 TEST(TestSkinMotion, SpeedIsThatOfTheSkin)
 {
   for (const Course& course :
-    { MakeTranslation(), MakeGrowth(), MakeSplit(), MakeHeld(), MakeHeldArea(), MakePenalised() })
+    { MakeTranslation(), MakeGrowth(), MakeGrowthBy(TargetEvaluation::Node, false),
+      MakeGrowthBy(TargetEvaluation::ClosestPoint, false),
+      MakeGrowthBy(TargetEvaluation::Shifted, true), MakeSplit(), MakeHeld(), MakeHeldArea(),
+      MakePenalised() })
   {
     for (const int n : { 40, 64 })
     {
