@@ -14,16 +14,16 @@
  * F is the target's value. NormalizeTarget replaces F - TargetIsoValue by a distance, which
  * TargetNoise reduces. kappa is the sum of the principal curvatures, n the outward normal, v the
  * velocity of the target's particles. A and V are the skin's area and volume, A0 and V0 TargetArea
- * and TargetVolume; the last two terms need AreaControl and VolumeControl PENALTY.
+ * and TargetVolume (if 0, at the start); the last two terms act with PENALTY controls.
  *
  * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
  * the automatic value of some properties; Get...InUse returns the value in use.
  *
  * @par Input 0 (optional): target
  * - No input: TargetFunction is the target.
- * - Particles: a vtkPointSet without cells or with vertices. All points are used, as by
- *   vtkSkeletonPotential. ParticleSpacing, the main property, sets a particle's own radius r (half
- *   of the spacing) and kernel radius, and an automatic VoxelSize (r) and TargetReach (6 r).
+ * - Particles: a vtkPointSet without cells or with vertices. All finite points are used.
+ *   ParticleSpacing, the main property, sets a particle's own radius r (half of the spacing) and
+ *   kernel radius, unless radii are chosen, and an automatic VoxelSize (r) and TargetReach (6 r).
  * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
@@ -67,9 +67,9 @@
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
  * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
- *   unset, the extent may be empty before the first update; on one process, not if connected.
+ *   unset, the extent may be empty before the first update, unless connected on one process.
  *
- * @par Output 2: history, a vtkTable, one row per time step so far
+ * @par Output 2: history, a vtkTable, one row per time step so far (EQUILIBRIUM: start and end)
  *   | Column              | Unit          | Meaning                           |
  *   | ------------------- | ------------- | --------------------------------- |
  *   | Time                | pipeline time | time step                         |
@@ -85,9 +85,10 @@
  *
  * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
  *   count if outside by more than their own radius. Over other targets, points spread over the
- *   inside (of a function: within ModelBounds) count if more than a voxel outside. A fraction of 1
- *   % has a standard error of 0.16 % if the target fills 1/16 of its box. Points beyond walls or in
- *   the obstacle are ignored. A value above 1 %, not below the previous row's, causes one warning.
+ *   inside (of a function, or with InvertTarget: within ModelBounds) count if more than a voxel
+ *   outside. A fraction of 1 % has a standard error of at most 0.16 % if the target fills at least
+ *   1/16 of its box. Points beyond walls or in the obstacle are ignored. A value above 1 %, not
+ *   below the previous row's, can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -96,13 +97,13 @@
  * - The time steps of the input are published, or StartTime + i * TimeStepSize if the input has
  *   fewer than two (TargetFunction, static particles); none with EQUILIBRIUM or Advance.
  * - The surface starts at the first time step. A later time continues from the current state, and
- *   reads the input once for each step in between. A repeated time costs nothing. An earlier time
- *   continues from the last checkpoint up to that time (CheckpointInterval).
+ *   reads the input once for each step in between. A repeated time keeps the skin. An earlier time
+ *   continues from the last checkpoint up to that time (CheckpointInterval) or the start.
  * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
- * - The motion restarts when the target, the initial shape or a property of the motion changes, and
- *   when data without time steps replace other data. In situ, if the input's list of time steps
- *   grows, the motion continues: the last step read is read again, then new steps.
+ * - The motion restarts when target, initial shape, obstacle or a property of the motion changes,
+ *   and when data without time steps replace other data. If the input gets more steps, the motion
+ *   continues: the last step is read again (if changed, the motion restarts), then new steps.
  * - If the input provides each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are
  *   the requested times. Advance adds single frames.
  *
@@ -176,15 +177,15 @@ public:
 
   ///@{
   /** Level of the target that attracts the skin [unit of the target's values], and level of images
-   * at port 1. Range: finite. Default: 0. At 0, masks (two values, none negative) and fractions of
-   * volume (0 to 1, most of them 0 or 1) use the middle of their values, with the inside above. */
+   * at port 1. Range: finite. Default: 0. At 0, a mask (two values, none negative) uses the middle
+   * of its values, fractions of volume (0 to 1, most 0 or 1) use 0.5; the inside is above. */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
   ///@}
 
   ///@{
   /** Makes values above TargetIsoValue the inside, also for an image at input port 1. Turn on for
-   * densities, which are larger inside. Default: off, values below are the inside. */
+   * densities. Ignored for masks and fractions at TargetIsoValue 0. Default: off. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
@@ -202,7 +203,7 @@ public:
   ///@{
   /** Distance [length] from the target beyond which the attraction is constant: the largest speed
    * is Attraction * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3
-   * ParticleSpacing if VoxelSize would use it, else 1/8 of the bounds' diagonal. Default: -1. */
+   * ParticleSpacing if VoxelSize would use it, else 1/8 of ModelBounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -240,8 +241,8 @@ public:
    * Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third nearest,
    * with an array of radii at most the median diameter. A warning reports the spacing if neither
    * KernelRadius nor radii are given. The estimate is the least of the first, middle and last time
-   * step, read first. Steps with less than a tenth of another's particles are ignored. With
-   * Advance, or if the input cannot go back in time, only the first step counts. Default: -1. */
+   * step. Steps with less than a tenth of another's particles are ignored. With Advance, or if the
+   * input cannot go back in time, only the first step with particles counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -273,7 +274,7 @@ public:
   ///@{
   /** Decrease of a particle's influence with distance, with SUM, from vtkSkeletonPotential: WYVILL
    * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). The kernel also
-   * weights the arrays that the skin gets from the particles. Default: WYVILL. */
+   * applies to skeletons, and weights the arrays of PassTargetArrays. Default: WYVILL. */
   vtkSetClampMacro(ParticleKernel, int, WYVILL, METABALL);
   vtkGetMacro(ParticleKernel, int);
   void SetParticleKernelToWyvill() { this->SetParticleKernel(WYVILL); }
@@ -283,8 +284,8 @@ public:
 
   ///@{
   /** Level [1] of the particles' summed influence at which SUM places the surface. Lower values
-   * give thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0;
-   * below 0, all space would be inside. Default: 0.5. */
+   * give thicker bodies. An isolated particle of strength 1 has an influence of 1 at its centre.
+   * Also the level of a skeleton. Range: > 0; below 0, all space would be inside. Default: 0.5. */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
   ///@}
@@ -292,9 +293,9 @@ public:
   ///@{
   /** Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a
    * simulation of molecules. A particle outside the box counts at its periodic image in the box.
-   * Between two time steps a particle moves on the shortest path. The skin is closed at the sides
-   * of the box. Range: finite; an axis with min >= max is not periodic. Default: (1, -1, 1, -1, 1,
-   * -1), no axis. */
+   * Between two time steps a particle moves on the shortest path. The skin is closed at the box's
+   * periodic sides, which must be at least four voxels apart. Range: finite; an axis with min >=
+   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), no axis. */
   vtkSetVector6Macro(PeriodicBounds, double);
   vtkGetVector6Macro(PeriodicBounds, double);
   ///@}
@@ -303,10 +304,10 @@ public:
 
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
-   * at multiples of VoxelSize. Half the size needs 4 times the memory and 8 times the time, with
-   * Tension 16 times. Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing if set, or
-   * (without SUM and ModelBounds) estimated, else a 64th of the bounds' longest side; over images
-   * without ModelBounds a pixel if smaller, down to a 1000th of that side. Default: -1. */
+   * at multiples of VoxelSize. Half the size needs 4 times the memory, 2 to 4 times the time, in
+   * explicit substeps 8 (with Tension 16). Range: 1e-30 to 1e30, or -1, automatic: ParticleSpacing
+   * / 2 if set, or (without SUM and ModelBounds) estimated, else 1/64 of ModelBounds' longest side
+   * (S); over images without ModelBounds a smaller pixel, down to S / 1000. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
@@ -335,9 +336,8 @@ public:
   ///@{
   /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
-   * target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval from an input step to the
-   * next), which leaves 1/400 of a distance; 1 if the target is static, or with EQUILIBRIUM or
-   * PaperScheme. Default: -1. */
+   * target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time steps), leaving 1/400
+   * of a distance; 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
@@ -347,20 +347,20 @@ public:
    * to the speed. Tension smooths the skin, and shrinks small parts. A ball without a target has
    * radius sqrt(r0^2 - 4 * Tension * t). If F is the distance to a ball of radius R, the skin keeps
    * the radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), and vanishes if R < 2.83 sqrt(Tension
-   * / Attraction). If F / |grad F| exceeds the distance inside, smaller balls remain: over
-   * particles 2.83 becomes about 2.4; over a vtkSphere, whose F is r^2 - R^2, the radius is
-   * sqrt(R^2 - 4 * Tension / Attraction). Explicit motion needs at least 4 * Tension * time /
-   * VoxelSize^2 substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of
-   * spacing 2 r, Attraction * p^2 / 5 over masks of pixels p; else 0; over particles also 0 with
-   * SUM, TensionWeighting off, PaperScheme or explicit substeps (TimeIntegration). Default: -1. */
+   * / Attraction). If |F| / |grad F| exceeds the distance inside, smaller balls remain: over
+   * particles 2.83 becomes about 2.4; over a vtkSphere (F = r^2 - R^2) the radius is sqrt(R^2 - 4 *
+   * Tension / Attraction). Explicit motion needs at least 4 * Tension * time / VoxelSize^2
+   * substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r,
+   * Attraction * p^2 / 5 over masks of shortest pixel side p; else 0; also 0 with PaperScheme or
+   * explicit substeps, and over particles with SUM or TensionWeighting off. Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
 
   ///@{
   /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
-   * particle or a thread of few particles: drops keep their size. The weight depends on neighbours
-   * within 3.6 spacings: a third with half of a body's neighbours, 1 with three quarters of them.
+   * particle or a thread of few particles: drops keep their size. The weight rises with the density
+   * of neighbours within 3.6 spacings, from 0 at 0.3 per spacing^3 (one layer: 0.28) to 1 at 0.8.
    * No effect on other targets, in explicit substeps and with PaperScheme. Default: on. */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
@@ -370,12 +370,13 @@ public:
   ///@{
   /** Amplitude [length] of noise in the target's surface. Well within this distance of the target
    * the skin follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of
-   * particles it is Attraction from 1.5 times this distance on. Transport moves the skin of a body
-   * only if its particles move together: velocities within the error of their mean are ignored.
-   * Drops and threads are not affected. The skin of a fluid in a steady state is smooth, does not
-   * move, and is at most about this distance from the target. Needs NormalizeTarget. Range: 0 or
-   * 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r, 0.47 pixels over masks
-   * (bound of the smoothing); else 0; also 0 in explicit substeps, and with SUM. Default: -1. */
+   * particles the rate is Attraction from 1.5 times this distance on. Over masks the rate is 0
+   * within this distance. Transport moves the skin of a body only if its particles move together:
+   * velocities within the error of their mean are ignored. Drops and threads are not affected. The
+   * skin of a fluid in a steady state is smooth, does not move, and is at most about this distance
+   * from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over
+   * particles of spacing 2 r, 0.47 of a pixel's shortest side over masks; else 0; also 0 in
+   * explicit substeps, and with SUM. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -447,7 +448,7 @@ public:
    * (masks also with an initial shape or TargetNoise 0), and in these cases, with a warning if
    * particles move: Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget,
    * TargetIsoValue other than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off,
-   * TargetEvaluation or GradientScheme not the default. Default: AUTOMATIC. */
+   * TargetEvaluation not SHIFTED, GradientScheme CENTRAL. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -456,7 +457,7 @@ public:
 
   ///@{
   /** Fraction [1] of the stable time step that a substep uses. Smaller values are more accurate in
-   * time, and need 1 / CFL times as long. Range: 1e-6 to 1. Default: 1. */
+   * time, and need 1 / CFL times as many explicit substeps as 1. Range: 1e-6 to 1. Default: 1. */
   vtkSetMacro(CFL, double);
   vtkGetMacro(CFL, double);
   ///@}
@@ -499,7 +500,7 @@ public:
   /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
    * is clamped to +-3 voxels. The target at a node is the mean of F at the node's crossings (or by
    * TargetEvaluation); nodes without crossings use F at the node. Differences are central; time
-   * steps are by eq. (6) and (7) in a box of unit size. Default: off. */
+   * steps are by eq. (6) and (7), where the longest side of ModelBounds is 1. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -515,11 +516,12 @@ public:
   };
 
   ///@{
-  /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control. PENALTY (1): a
-   * speed in proportion to the missing fraction e. In a ball of radius r0 without a target e (1 -
-   * e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 < 4.233
-   * Tension. EXACT (2): a uniform displacement after each substep restores the volume to 1e-6,
-   * through splits to 1e-5, at three times the cost. Default: NONE. */
+  /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control, but AUTOMATIC
+   * integration keeps masks' volume (without BoundedDomain and obstacle). PENALTY (1): a speed in
+   * proportion to the missing fraction e. In a ball of radius r0 without a target e (1 - e)^(1/3) =
+   * 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 < 4.233 Tension.
+   * EXACT (2): a uniform displacement after each substep restores the volume within 1e-6
+   * (relative), through splits 1e-5, at 3 times the cost. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -545,8 +547,7 @@ public:
   /** Control of the skin's area (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as with
    * VolumeControl. With PENALTY, a ball of radius r0 without a target lacks a fraction e: e (1 -
    * e)^(1/2) = 2 Tension / (AreaStiffness r0); the ball collapses if AreaStiffness * r0 < 5.196
-   * Tension. EXACT is an error with VolumeControl EXACT: one displacement cannot restore both.
-   * Default: NONE. */
+   * Tension. EXACT is an error with VolumeControl EXACT. Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }
@@ -618,8 +619,7 @@ public:
   ///@{
   /** Adds the point array "Velocity" [length/time]: the normal velocity by the equation of motion
    * and, over particles, the particles' velocity along the skin (TangentialVelocity). Valid through
-   * splits and merges. Costs an evaluation of the target. Does not restart the motion. Default:
-   * off. */
+   * splits and merges. Evaluates the target once. Does not restart the motion. Default: off. */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
   vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
@@ -672,7 +672,7 @@ public:
   ///@{
   /** Computes the potential's image, output port 1, with each skin, so that GetPotential() returns
    * this image after Update(). Update(1) always computes the image. The image needs 4 bytes for
-   * each lattice node in the bounds. Does not restart the motion. Default: off. */
+   * each lattice node in ModelBounds. Does not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
@@ -725,7 +725,7 @@ public:
    * step up to the time of the last update. LoadState loads a state into a filter with the same
    * properties and inputs. From the state's time on, the motion then continues bitwise identically.
    * With Advance, the first frame after LoadState is that of the saved time. Both functions return
-   * false, with an error, if there is no state, or reading or writing fails. */
+   * false, with an error, if there is no state (EQUILIBRIUM), or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
@@ -734,11 +734,11 @@ public:
    * last one. The result is bitwise identical to that of the complete series, except velocities,
    * which do not use the next frame. The frame becomes the input of port 0, and may be the same
    * object with new contents. The first frame is at StartTime, or at the time of a loaded state;
-   * its dt has no effect. GetOutput() is at the newest frame, whatever time is requested. If a
-   * changed property restarts the motion, the motion starts at the newest frame, which keeps its
-   * time. Returns false, with an error, for a rejected frame, which changes nothing. Also returns
-   * false if the motion to the frame stops before its end (abort, MaximumNumberOfActiveVoxels). The
-   * frame is then kept: Update() or the next frame resumes. Range of dt: > 0, finite. */
+   * its dt (in the range) has no effect. GetOutput() is at the newest frame, whatever time is
+   * requested. A restart by a changed property begins at the newest frame, which keeps its time.
+   * Returns false, with an error, for a rejected frame, which changes nothing. Also returns false
+   * if the motion to the frame stops before its end (abort, MaximumNumberOfActiveVoxels). The frame
+   * is then kept: Update() or the next frame resumes. Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
   /** The next update restarts the motion (Advance: at StartTime). Drops a loaded state. */
@@ -771,7 +771,7 @@ public:
   /** The potential's image; empty unless it was requested, see OutputPotential. */
   vtkImageData* GetPotential();
 
-  /** The history: one row for each time step up to that of the skin; columns as above. */
+  /** The history, on rank 0: rows up to the skin's time (EQUILIBRIUM: 2 rows); columns as above. */
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
