@@ -140,7 +140,8 @@ double MotionDriver::FindTensionAtStart(const Motion& motion) const
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
 // as later frames. This step's duration may be unknown yet. An automatic tension is proportional to
 // the attraction, so the tension's effect does not depend on the duration. With automatic
-// attraction, the effect of a given Tension does; over particles this Tension is ignored here.
+// attraction, the effect of a given Tension depends on the duration; over particles this Tension is
+// ignored here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);

@@ -48,16 +48,17 @@ public:
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
-  // Returns the parameters of the motion from a step to the next one; step -1: the motion at the
-  // start. isOnNodes: the node scheme can follow the target in this interval.
+  // Returns the parameters of the motion from a step to the next one (at the last step, for the
+  // duration of the interval before); step -1: the motion at the start. isOnNodes: the node scheme
+  // can follow the target in this interval.
   Motion GetMotion(int step, bool isOnNodes) const;
   Motion GetMotion(int step) const
   {
     return this->GetMotion(step, this->Shapes.IsOnNodes(step, step + 1));
   }
 
-  // Returns the walls of the bounded domain. On periodic axes the walls are outside the periodic
-  // box, at the distance `beyond` from the sides.
+  // Returns the walls: the bounds with BoundedDomain; on periodic axes the sides of the periodic
+  // box, moved outward by `beyond` [length]. Present is false without both.
   Walls MakeWalls(double beyond) const;
 
   // Numbers since ResetCounters, including motions that ended in an exception.

@@ -48,7 +48,7 @@ struct Outside
   PipelineTime Time;
   double Share;             // fraction of the target outside the skin
   const Motion& Parameters; // parameters by which the skin moved
-  bool ParticlesAreLost;    // Share is of the particles; otherwise of the target's inside
+  bool ParticlesAreLost;    // Share is of particles; otherwise of a skeleton's points or the inside
 };
 
 // Warns if more than 1 % of the target is outside the skin.

@@ -31,9 +31,9 @@ public:
   // Adds a frame, which the caller also adds to the shapes.
   void Add(int step, const std::shared_ptr<InputShape>& shape);
 
-  // Partitions space for the next frame of a band, which is at the step `first` or starts there.
-  // Sends to each rank the particles of the steps up to `last` near its partition. Gathers band and
-  // frames on all ranks if one of these frames is not distributed. Collective.
+  // Partitions space for a band that is at the step `first` or starts there. Sends to each rank the
+  // particles of the steps `first` to `last` near the rank's partition. Gathers band and frames on
+  // all ranks if one of these frames is missing or not distributed. Collective.
   void Place(NarrowBand& band, int first, int last);
 
   // Gathers the particles of distributed steps on all ranks. Collective.

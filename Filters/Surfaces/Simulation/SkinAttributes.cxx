@@ -13,8 +13,8 @@ namespace activesurface
 namespace
 {
 
-// Returns true if arrays use the interval before the requested step, false for the interval after
-// this step.
+// Returns true if arrays use the interval before the requested step; false: the interval after this
+// step, or none.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target)
 {

@@ -45,7 +45,8 @@ struct ArrayFrames
 
 // Returns the frames at the requested time. If wantsInterval, for particle velocities, returns the
 // frames of the interval before the requested step instead; at the first step, and at a time
-// between steps, of the interval after the step.
+// between steps, of the interval after the step. Returns only the requested frame of a forward-only
+// input if the frame before is not stored.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 
@@ -62,17 +63,17 @@ public:
   SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
     const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays);
 
-  // Returns the normal speeds at the vertices of the skin, by the law of motion; none for an empty
-  // skin.
+  // Returns the normal speeds [length / motion time] at the vertices of the skin, by the law of
+  // motion; none for an empty skin.
   std::vector<float> FindSpeeds(const NarrowBand& band, const Motion& motion) const;
 
   // Returns the requested arrays of the particles. The result refers to the frames.
   PassedArrays FindPassedArrays() const;
 
-  // Returns the largest speed of the particles in the interval up to the requested time (at the
-  // first step, in the interval after it). The speed is (displacement + change of radius) /
-  // duration, or the passed velocity if that is larger. Returns 0 if no particle is matched between
-  // two stored frames, if no particle moves, and for targets without particles.
+  // Returns the largest speed [length / motion time] of the particles in the interval that
+  // FindArrayFrames returns. The speed is (displacement + change of radius) / duration, or the
+  // passed velocity if that is larger. Returns 0 if no particle is matched between two stored
+  // frames, if no particle moves, and for static targets and targets without particles.
   double FindFastestParticle(const PassedArrays& passed) const;
 
 private:

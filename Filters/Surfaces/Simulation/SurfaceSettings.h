@@ -79,7 +79,8 @@ struct SurfaceInputs
   std::vector<double> InputSteps;    // of the input, without repeated times; may be empty
   bool OnlyForward = false;          // the input cannot repeat a step
 
-  // Returns true if Steps come from the input instead of the filter's own clock.
+  // Returns true if Steps are times of the input, of requests or of pushed frames, not of the
+  // filter's own clock.
   bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
   bool WithdrawStep() // removes the last step of a forward-only input
@@ -121,8 +122,8 @@ struct SurfaceSettings
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
 
-  // Returns true if these settings and `others` differ only by time steps appended to the input's
-  // list.
+  // Returns true if `others` only append time steps to the input's list. Returns false with
+  // EQUILIBRIUM or a TargetFunction, and if the list is empty here.
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
@@ -138,7 +139,8 @@ struct SurfaceSettings
   // Returns Parameters with the set Attraction and Tension; an automatic Attraction is 1 here, an
   // automatic Tension 0.
   Motion GetLaw() const;
-  // Returns the first property that the node scheme does not support; null: all are supported.
+  // Returns the first property whose value the node scheme does not support; null: all are
+  // supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
   // Least Attraction * duration of a time step for the node scheme; below this value substeps
@@ -191,7 +193,7 @@ struct SurfaceSettings
   }
   MotionTime GetMotionTimeOf(int step) const { return this->ToMotionTime(this->GetStep(step)); }
 
-  // Properties by name and value, for the metadata of files.
+  // Properties by name and value, for the metadata of files; without boxes and the voxel size.
   std::vector<std::pair<std::string, double>> ListForFiles() const;
 
   // Throws std::invalid_argument, with a message for the user, if a property is invalid.

@@ -102,8 +102,8 @@ public:
     return this->HasBegun() && (this->Settings == settings || this->IsLengthenedBy(settings));
   }
 
-  // Removes the last step if the surface is at the step before and the frame of the last step is
-  // not stored. Otherwise returns false.
+  // Removes the last step and returns true if the surface is at the step before and the frame of
+  // the last step is not stored. Otherwise returns false.
   bool WithdrawLastStep()
   {
     const int last = this->Settings.GetNumberOfSteps() - 1;
@@ -211,8 +211,8 @@ public:
   }
   // Returns the parameters of the motion at the requested time, for FindSpeeds.
   Motion GetMotion() const;
-  // Values in the interval before the requested time; at the first step, in the interval after it.
-  // All values are 0 if there is neither a domain nor a skin.
+  // Values in the interval that ends at the requested time or contains this time; at the first
+  // step, in the first interval. All values are 0 if there is neither a domain nor a skin.
   ValuesInUse GetValuesInUse() const
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
@@ -227,7 +227,8 @@ public:
   SavedState GetState() const;
   // Returns the state at the requested time, which may lie between steps.
   SavedState GetRequestedState() const;
-  // Gathers the state of all ranks on rank 0; other ranks get no band. Collective.
+  // Returns GetState(); gathers a distributed state on rank 0, and other ranks then get no band.
+  // Collective.
   SavedState GatherState() const;
   // Resets the simulation. From now on the surface starts with this state. A change of settings
   // after the next Configure discards the state.
@@ -235,7 +236,7 @@ public:
   // Resets the simulation, and discards a loaded state.
   void StartAnew();
 
-  // Rows of the steps up to the requested time.
+  // Rows of the steps up to the requested time; with EQUILIBRIUM of the start and the end.
   std::vector<HistoryRow> GetHistory() const;
 
   // Null while the bounds are unknown, see TargetBuilder.

@@ -127,8 +127,8 @@ bool StartOn(
   {
     return false;
   }
-  // Sharpens the edge between shape and wall: the distances of the start have rounded this edge by
-  // a few hundredths of a voxel.
+  // Sharpens the edge between shape and wall or obstacle: the distances of the start have rounded
+  // this edge by a few hundredths of a voxel.
   if (start.Box.Present || start.Solid)
   {
     band.Confine(start.Box, start.Solid);

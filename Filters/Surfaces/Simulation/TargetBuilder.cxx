@@ -239,7 +239,8 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 }
 
 // Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if
-// automatic, a fraction of the spacing. Returns 0 without the node scheme.
+// automatic, a fraction of the spacing. Returns 0 without the node scheme, and if automatic over
+// sums of kernels.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())

@@ -51,8 +51,8 @@ public:
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // Replaces the frame of a step by this rank's part of it; SetPair replaces two consecutive
-  // frames.
+  // Replaces the frame of a step by this rank's part of the frame; SetPair replaces two consecutive
+  // frames by their parts. areShuffled: see ParticleMatches.
   void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
@@ -69,8 +69,8 @@ public:
   }
 
   // Returns true if one of the stored frames from `first` to `last` has particles; for a static
-  // target, if its only frame has particles. Later frames are ignored, because they may be unknown
-  // yet.
+  // target, if its only frame has particles. Frames after `last` are ignored, because these may be
+  // unknown yet.
   bool HasParticles(int first, int last) const
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
@@ -80,10 +80,11 @@ public:
   bool IsOnNodes(int first, int last) const;
   // Returns true if the last frame with points is an image that was smoothed as a label.
   bool MayHaveLabels() const { return this->Kind->GetLabel() != nullptr; }
-  // Returns the shortest side of the labels' pixels in these frames; 0 without labels.
+  // Returns the shortest side of the labels' pixels in these frames [length]; 0 without labels, or
+  // if a frame with points is no label.
   double FindLabelPixel(int first, int last) const;
-  // Returns the labels' volume at a fraction of the interval from a step to the next one; 0
-  // without labels.
+  // Returns the labels' volume [length^3] at a fraction of the interval from a step to the next
+  // one; 0 without labels.
   double FindLabelVolume(int step, double fraction) const;
   // Returns true if the input has particles, or has had no points yet.
   bool MayHaveParticles() const
@@ -93,15 +94,15 @@ public:
   // Returns true if MayHaveParticles, and the velocity of particles carries the surface.
   bool MayCarry() const { return this->MayHaveParticles() && this->GetOptions().Carries; }
 
-  // Returns the spacing of the particles, given or estimated; 0: unknown.
+  // Returns the spacing of the particles [length], given or estimated; 0: unknown.
   double FindSpacing() const;
   // motion: parameters by which the skin moved.
   ValuesInUse FindValuesInUse(const Motion& motion) const;
 
   // Returns the periodic box of particles, relative to the origin of the shapes.
   PeriodicBox GetBox() const;
-  // Returns the margin of the box for the particles of a step; without particles, the margin
-  // follows from the spacing.
+  // Returns the margin of the box [length] for the particles of a step; without particles, the
+  // margin follows from the spacing.
   double FindMargin(int step) const;
 
   // Sets a missing estimate of the spacing to that of a loaded state, whose first frames may not be
@@ -126,8 +127,9 @@ public:
   // Returns the steps to sample in addition to the first one.
   std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
-  // Sets the spacing to the smallest spacing of the frames with enough particles. Uses the spacing
-  // of the first frame, the first sample, if this differs from the smallest spacing by at most 1 %.
+  // Sets the spacing to the smallest spacing of the frames that have at least a tenth of the
+  // largest number of particles. If the first sample's spacing differs from the smallest spacing by
+  // at most 1 %, uses the first sample's spacing.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // Returns a box that contains the inside of the target at a stored step; for a function or an
@@ -139,8 +141,9 @@ public:
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
-  // Returns null while the bounds are unknown: before the first frames are added, or for functions
-  // without bounds. Throws std::invalid_argument for invalid settings.
+  // Returns null while the bounds are unknown: before the first frames are added, for functions
+  // without bounds, or if the first frame is empty and HasOwnSizes() is false. Throws
+  // std::invalid_argument for invalid settings.
   const SurfaceDomain* FindDomain();
   // Also returns null before the first call of FindDomain.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }

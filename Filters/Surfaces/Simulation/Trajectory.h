@@ -76,12 +76,12 @@ public:
   // Returns the last step that was reached; -1: not started.
   int GetStep() const { return this->Step; }
 
-  // Returns true if the surface has not started, or has not moved from the first step. With
-  // EQUILIBRIUM there is only the first step.
+  // Returns true if the surface has not started, or has not moved from the first step; with
+  // EQUILIBRIUM also if the surface has moved.
   bool IsAtStart() const { return this->Step <= 0 && !this->IsUnfinished() && !this->HasBranch(); }
 
   // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
-  // at which it vanished; this is no interruption.
+  // at which it vanished; this is no interruption. Always false with EQUILIBRIUM.
   bool IsUnfinished() const;
 
   // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, if

@@ -29,7 +29,7 @@ public:
 
   bool IsThreadSafe() const override;
   bool HasRegions() const override { return this->KnowsParts; }
-  // Visits the parts of both steps.
+  // Visits the parts of the earlier step and, at a fraction > 0, of the later step.
   void ForEachPart(const PartVisitor& visit) const override;
   SurfacePoints FindSurface() const override;
 

@@ -21,8 +21,8 @@ public:
   bool CanStart() const override { return true; }
 
   /**
-   * Makes the function. Uses the level and side of the options, unless the level is 0. In this case
-   * chooses the level and side that suit the values (ImageShape.cxx).
+   * Makes the function. Uses the level and side of the options; at level 0, those of FindUsualLevel
+   * (ImageShape.cxx).
    */
   std::string Prepare(const TargetOptions& options, const Warnings& messages) override;
   std::string DescribeThinParts(const TargetOptions& options) const override;

@@ -18,7 +18,8 @@ public:
   using BlendedTarget::BlendedTarget;
 
   // Returns the distance from a label's surface within which the skin is not attracted [pixels]:
-  // TargetNoise, or almost half a pixel.
+  // TargetNoise / leastPixel, or 0.47 if TargetNoise is automatic. leastPixel: shortest side of the
+  // pixels [length].
   static double FindFreedom(const TargetOptions& options, double leastPixel);
 
   NodeTarget* GetNodes() override { return this; }

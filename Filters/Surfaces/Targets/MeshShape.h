@@ -22,7 +22,7 @@ public:
   const char* GetName() const override { return "a mesh"; }
   bool CanStart() const override { return true; }
 
-  /** A mesh without polygons may have points, without cells. */
+  /** Points without cells may be a mesh that has lost all polygons. */
   bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
 
   std::string Prepare(const TargetOptions& options, const Warnings& messages) override;

@@ -46,17 +46,17 @@ public:
   {
     return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
-  // Returns the own radius of the particles [voxels]. No particle fits into a gap between wall and
-  // surface that is narrower than this radius.
+  // Returns half of the particles' spacing [voxels]. No particle fits into a gap between wall and
+  // surface that is narrower than this.
   float GetWallGap() const override
   {
     return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);
   }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
-  // Visits the support of each particle, because any part that the skin does not meet contains a
-  // support. Also visits two points outside each particle at the edge of a body, where a hollow may
-  // be.
+  // Visits the support of each particle of positive strength, because any part that the skin does
+  // not meet contains a support. Also visits two points outside each such particle at the edge of a
+  // body, where a hollow may be (a sum of kernels: if OpensHollows).
   std::size_t CountRegionSources() const override { return this->Now.size(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 

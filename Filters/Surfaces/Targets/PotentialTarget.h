@@ -19,8 +19,8 @@ public:
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
 
-  // Returns F - iso (with Invert, iso - F), negative inside, never normalized. Only the zero set is
-  // meaningful.
+  // Returns F - iso (with Invert, iso - F), negative inside, never normalized. Only the zero set
+  // and the sign are meaningful.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
 
   // Also returns |grad F|, or 1 where |grad F| is 0 or not finite.

@@ -31,7 +31,7 @@ struct TargetOptions
    */
   double Noise = 0.0;
   double NoiseAtNodes = 0.0;  //< replaces Noise in the node scheme [length]
-  bool IsDomainKnown = false; //< otherwise VoxelSize and Reach are undefined
+  bool IsDomainKnown = false; //< otherwise VoxelSize is 0, Reach infinite
   double VoxelSize = 0.0;     //< [length]
   bool SmoothsLabels = false; //< images of labels are a target of the node scheme
   double LabelNoise = -1.0;   //< freedom of the skin around a label [length]; < 0: automatic
@@ -61,7 +61,7 @@ struct TargetOptions
   /** Step of central differences, for functions without a gradient [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }
 
-  /** Support radius of points without a radius of their own. */
+  /** Support radius of points without a radius of their own [length]. */
   double GetRadius(ParticleModel model) const;
   /**
    * Support radius of an isolated particle's kernel, divided by the radius of the particle's ball.
