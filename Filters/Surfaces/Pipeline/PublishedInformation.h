@@ -29,7 +29,7 @@ void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 // extent.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
-// Replaces an UPDATE_EXTENT that is empty or outside the image by the extent of the requested
+// Replaces an UPDATE_EXTENT that is empty or not within the image by the extent of the requested
 // piece. On several ranks, a rank that requests one piece gets its own part instead of the whole
 // image.
 void RequestSomeExtent(vtkInformation* output, const OutputShare& share);

@@ -119,7 +119,7 @@ bool MotionDriver::StaysOnNodes() const
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
-// Returns a given Tension divided by the attraction of the first time step. Returns 0 if that
+// Returns a given Tension divided by the attraction in the first interval. Returns 0 if that
 // attraction is 0 or unknown, and over particles if that attraction is automatic.
 double MotionDriver::FindTensionAtStart(const Motion& motion) const
 {

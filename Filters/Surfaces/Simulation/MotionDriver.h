@@ -32,7 +32,7 @@ public:
     this->Arriving.reset();
   }
 
-  // These limits do not change the motion.
+  // These limits do not change the motion; the second one may end the motion by an exception.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 

@@ -15,15 +15,15 @@ struct SurfaceSettings;
 struct SurfaceDomain
 {
   // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation. A
-  // coordinate is 0 if the bounds are near 0 along this axis, otherwise near the centre of the
-  // bounds (LatticeOrigin.h).
+  // coordinate is 0 if the bounds come within 2^17 voxels of 0 along this axis, otherwise near the
+  // centre of the bounds (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin
   double VoxelSize = 0.0;
   double Reach = 0.0; // of the target [length]
 
   // Finds the first and last index, along each axis, of the smallest box of nodes that contains the
-  // bounds. Returns false if an index would be beyond 10^9.
+  // bounds. Returns false if an index would be +-10^9 or beyond.
   bool GetExtent(int extent[6]) const;
 };
 

@@ -31,9 +31,9 @@ class HistoryRecorder
 public:
   void Clear();
 
-  // Interrupt deletes the stored parts of the skin, so the next row has no event. ContinueFrom
-  // stores the parts of a band instead, so the next row has the events since that band. Both
-  // functions keep the rows.
+  // Interrupt deletes the stored parts of the skin, so no event is found for the next row.
+  // ContinueFrom stores the parts of a band instead, so the next row has the events since that
+  // band. Both functions keep the rows.
   void Interrupt();
   void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 

@@ -18,8 +18,8 @@ namespace
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
 
-// Returns the typical distance of a frame's particles. With radii: at most the median diameter. If
-// all particles coincide: the median diameter, or 0 without radii.
+// Returns the spacing of a frame's particles (ParticleSpacing.h). With radii: at most the median
+// diameter. If all particles coincide: the median diameter, or 0 without radii.
 double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
 {
   ParticleFrame wrapped;

@@ -30,8 +30,9 @@ public:
 
   void Clear() { this->States.clear(); }
 
-  // Saves the state if the step is a multiple of the interval. While the capacity is exceeded,
-  // removes the state that leaves the smallest gap between steps; the first state is removed last.
+  // Saves the state if the step is a multiple of the interval and is not saved yet. While the
+  // capacity is exceeded, removes the state that leaves the smallest gap between steps; the first
+  // state is removed last.
   void Add(int step, const NarrowBand& band);
 
   // Saves the state at any step, and replaces an older state at this step. Ignores interval and

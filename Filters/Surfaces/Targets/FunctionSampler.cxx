@@ -21,8 +21,8 @@ namespace activesurface
 namespace
 {
 
-// Returns true for the classes that do not change when evaluated. Subclasses are excluded, because
-// they have other class names.
+// Returns true for these classes, which do not change when evaluated. Subclasses are excluded,
+// because they have other class names.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
   constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",

@@ -26,8 +26,8 @@ struct TargetOptions;
 void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
 
 /**
- * Returns a message about parts thinner than two voxels; empty if these are a negligible fraction
- * of the surface.
+ * Returns a message about parts thinner than two voxels; empty if these are at most 0.5 % of the
+ * surface, and for functions other than vtkGridPotential.
  */
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize);
 

@@ -21,7 +21,8 @@ struct TargetOptions
   bool Invert = false;
   /**
    * Use the first-order distance (F - iso) / |grad F|, clamped to +-Reach, instead of F - iso.
-   * Where the gradient vanishes or is not finite, the value is +-Reach with the sign of F - iso.
+   * Where the gradient vanishes or is not finite, the value is +-Reach with the sign of F - iso, or
+   * 0 if F = iso.
    */
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
