@@ -55,7 +55,7 @@
  *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
  * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
  *
- * @par Output 0: skin, a closed vtkPolyData of outward triangles
+ * @par Output 0: skin, a closed vtkPolyData of outward triangles (on several ranks, a part each)
  *   | Point array   | Unit        | Meaning                          |
  *   | ------------- | ----------- | -------------------------------- |
  *   | Normals       | 1           | outward normals (ComputeNormals) |
@@ -744,7 +744,7 @@ public:
   /** The next update restarts the motion (Advance: at StartTime). Drops a loaded state. */
   void ResetTrajectory();
 
-  /** Turns PaperScheme on, NormalizeTarget off; sets EXPLICIT, SHIFTED, CENTRAL, SUM (paper). */
+  /** Turns PaperScheme on, NormalizeTarget off; chooses EXPLICIT, SHIFTED, CENTRAL and SUM. */
   void PaperFaithful();
 
   ///@{
