@@ -20,7 +20,7 @@ struct PassedArrays
   std::optional<ParticleTrack> Particles; // at the requested time; if none, nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
-  std::vector<double> Velocities; // x y z of each particle, NaN: unknown; or empty
+  std::vector<double> Velocities; // x y z of each particle [length/time], NaN: unknown; or empty
 };
 
 // Adds the particles' arrays to the skin. Floating-point arrays and colours (unsigned char, 3 or 4
