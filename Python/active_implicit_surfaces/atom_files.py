@@ -233,7 +233,7 @@ def _guess(name: str, table: Any) -> str:
 
 
 def read_gro(path: Path) -> Frames:
-    """Reads the frames of a .gro [nm]; the times are read from the titles."""
+    """Reads the frames of a .gro [nm]; times: `t=` of the titles, if in all and increasing."""
     lines = path.read_text(encoding="latin-1").splitlines()
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):

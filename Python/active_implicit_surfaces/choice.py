@@ -105,8 +105,10 @@ def choose(
     A label selects points or polygons by the array "label" or "labels". An image is set to 1 at the
     label and 0 elsewhere.
 
-    Raises ValueError if there is no such array or value, if an image has no such label, or if
-    conditions are given for an image.
+    Data without points are returned as they are.
+
+    Raises ValueError if there is no such array or value, if texts are compared with < or > or
+    numbers with texts, if an image has no such label, or if conditions are given for an image.
     """
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
@@ -211,8 +213,8 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image except 0, or all labels of particles or a mesh.
 
-    Raises ValueError if there is no array of labels, a value is no integer, or more than a thousand
-    values differ.
+    Raises ValueError if particles or a mesh have no array "label" or "labels", a value is no
+    integer, or there are more than a thousand labels.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":

@@ -34,6 +34,8 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
       are used; cells are left out.
     - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
       "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
+
+    Raises TypeError for particles or arrays of a wrong type, ValueError for a wrong shape.
     """
     points, own = _points_of(particles)
     cloud = vtkPolyData()
@@ -77,7 +79,8 @@ def as_shape(shape: Any) -> Any:
     `shape` is a vtkPointSet or vtkImageData, or an object with `vertices` and `faces` (as
     trimesh's), or with `points` and `cells` (as meshio's).
 
-    Raises ValueError if there are no polygons and lines; TypeError for another object.
+    Raises ValueError if a VTK mesh has neither polygons nor lines, or `cells` has no polygons;
+    TypeError for another object.
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape
@@ -298,7 +301,7 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
 
 
 def usual_ids(cloud: Any) -> str:
-    """Returns the usual name of ids, such as "id", if a point array has it; else ""."""
+    """Returns the name of the point array with a usual name of ids, such as "id"; "" for none."""
     if not hasattr(cloud, "GetPointData"):
         return ""
     arrays = cloud.GetPointData()

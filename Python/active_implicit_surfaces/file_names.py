@@ -57,9 +57,9 @@ def _value(text: str) -> float:
 def _numbers_in(names: list[str]) -> re.Pattern[str]:
     """Returns a pattern that finds the numbers in the names of a series.
 
-    A minus after a letter is a sign if another name has a digit at its place (t-1, t0), else a
-    hyphen (run-1, run-2). A dot separates two counters if the numbers cannot be decimals (1.9,
-    1.10).
+    A minus after a letter or digit is a sign if another name has a digit at its place (t-1, t0),
+    else a hyphen (run-1, run-2). A dot separates two counters if the numbers cannot be decimals
+    (1.9, 1.10).
     """
     start = len(os.path.commonprefix(names))
     after = {name[start : start + 1] for name in names}
@@ -88,8 +88,8 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
     """Expands names, patterns, folders or one index to files. Only the name of a file may be a
     pattern. A folder stands for its series of files with `known` extensions.
 
-    Raises OSError if a file is missing, a pattern fits none, a folder has not one series, or an
-    index cannot be read.
+    Raises OSError if a file is missing, a pattern fits no file, a folder has no series or several,
+    or an index cannot be read or lists no file.
     """
     several = [names] if isinstance(names, (str, Path)) else names
     given = [Path(name).expanduser() for name in several]
@@ -108,7 +108,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names have all pairs of two numbers: one may count the parts of a frame."""
+    """Returns a note if names have all pairs of two numbers (one may count parts); else ""."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -149,7 +149,7 @@ def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
 
 
 def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
-    """Returns the files of the only series in a folder; raises OSError for no series or several."""
+    """Returns the sorted files of a folder; raises OSError for no file or several series."""
     found = [path for path in folder.iterdir() if path.is_file() and suffix_of(path) in known]
     found = [path for path in found if not path.name.startswith(".")]
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
@@ -261,9 +261,9 @@ def has_number(name: str | Path) -> bool:
 
 
 def numbered(name: str | Path, number: int) -> Path:
-    """Returns the name of a frame: the number, with at least as many digits, replaces ####.
+    """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    Without #### the number is appended: skin_0007.ply.
+    Without a placeholder the number is appended, with four digits: skin_0007.ply.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)
@@ -302,14 +302,14 @@ def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
-    """Returns the integers in which the names differ, if the integers increase; else 0, 1, 2 ..."""
+    """Returns the result of running_numbers if these are all integers; else 0, 1, 2 ..."""
     numbers = running_numbers(files)
     whole = [number for number in numbers if isinstance(number, int)]
     return whole if len(whole) == len(numbers) else list(range(len(files)))
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """Returns the numbers in which the names differ, if the numbers increase; else 0, 1, 2 ..."""
+    """Returns the only number that differs between names, if increasing; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))

@@ -41,8 +41,8 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
     Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
-    floats. More than 4 components are split into _NAME_0 ...; if arrays differ in width, vectors
-    are split into _NAME_X, _NAME_Y ...
+    floats. Arrays of more than 4 components are split into _NAME_0 ...; if the arrays differ in
+    their number of components, vectors are split into _NAME_X, _NAME_Y ...
     Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
     glTF. If single precision is too coarse, vertices are relative to an origin, which is the node's
     translation.
@@ -111,7 +111,7 @@ def _attribute_of(name: str, taken: dict[str, Any]) -> str:
 
 
 def _split(name: str, values: Any, are_mixed: bool) -> dict[str, Any]:
-    """Splits a vector array into components if it has more than four, or widths are mixed.
+    """Splits a vector array if it has more than four components, or if `are_mixed`.
 
     Blender's importer (5.0) mixes up custom attributes of different widths, and fails.
     """

@@ -31,7 +31,7 @@ _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGz
 def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
     """Reads a file of IMAGE_SUFFIXES other than .vti; `update` returns a reader's output.
 
-    Raises OSError if the file is damaged.
+    Raises OSError if the file is damaged, incomplete, or of an unsupported encoding.
     """
     try:
         if ".nii" in path.name.lower()[-7:]:

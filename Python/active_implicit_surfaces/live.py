@@ -18,7 +18,7 @@ class LiveSurface:
     """Skin over a running simulation: `advance` takes a frame's particles and returns their skin.
 
     A call costs one frame, whatever the number of earlier frames. With `particle_spacing` and
-    without a preset, the skins are bitwise those of `frames` at the same times.
+    without a preset, the skins are bitwise those of `frames` at the same times, except velocities.
 
     Parameters
     ----------
@@ -71,10 +71,10 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. The filter does not copy arrays: do not change them before the next call.
+            See `skin`. Arrays are not copied: do not change the arrays before the next call.
         dt : float
-            Time since the last call [time], more than 0. The first call is at `start`, or at the
-            time of `resume`, whatever its dt.
+            Time since the last call [time], more than 0 and finite. The first skin is at `start`,
+            or at the time of `resume`, whatever the first dt.
         **arrays
             Point arrays: ``ids=``, ``velocities=``, or any name.
 
@@ -86,7 +86,10 @@ class LiveSurface:
         Raises
         ------
         ValueError
-            Wrong `dt`, or an error of the filter; the next call continues from the last skin.
+            Wrong `dt`, value or array, or an error of the filter; the next call continues from
+            the last skin.
+        TypeError
+            Unknown keyword, or particles of a wrong type.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")

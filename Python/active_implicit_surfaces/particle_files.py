@@ -65,8 +65,7 @@ class ParticleFiles:
     Attributes:
     - names (list of Path): file of each frame, or the first of its parts.
     - files (list of Path): all files.
-    - numbers (list of int): frame numbers: the numbers in which the files' names differ, else 0, 1,
-      2 ...
+    - numbers (list of int): frame numbers, by `numbers_of` of the names.
     """
 
     def __init__(
@@ -91,7 +90,8 @@ class ParticleFiles:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        if the array of a condition is missing, or, for a single frame, all values of the condition.
+        if the array of a condition is missing; for a single frame also if no particle has a value
+        of the condition, or no pixel the label.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
@@ -115,7 +115,7 @@ def open_particles(
     where: str | Sequence[str] = (),
     label: int | None = None,
 ) -> ParticleFiles:
-    """Opens files of particles or images as frames; names may be patterns, folders and indices.
+    """Opens files of particles or images as frames; names may be patterns, folders or one index.
 
     Particles may be selected (see `choice`). Times follow from `times`, else from `fps`, else from
     the index or the files, else from 25 frames per second. With frames per second, gaps in file
@@ -185,7 +185,7 @@ def _note(noted: set[str], path: Path, text: str) -> None:
 
 
 def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:
-    """Returns a loader for each frame of a file, and the times in the file."""
+    """Returns a loader for each frame of a file, and the frames' times, None if not in the file."""
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _OWN_READERS:
@@ -282,12 +282,12 @@ def _arrays_of_some(clouds: list[Any]) -> list[str]:
 
 
 def _append(clouds: list[Any]) -> Any:
-    """Returns the points of all clouds, with the arrays that all of them have."""
+    """Returns the points of all clouds, with the arrays that all clouds with points have."""
     return output_of(vtkAppendFilter(), *(clouds or [vtkPolyData()]))
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """Returns the times in the files; None unless each file has a time and the times increase."""
+    """Returns the times in the files; None unless each file has one time and the times increase."""
     readers = {
         **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
         ".vdb": _time_of_vdb,

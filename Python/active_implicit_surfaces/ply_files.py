@@ -51,9 +51,9 @@ class _DamageError(ValueError):
 
 
 def read_ply(path: Path) -> Any:
-    """Reads a mesh or points from a .ply; properties of vertices and polygons become arrays.
+    """Reads a mesh or points from a .ply; numbers of vertices and polygons become arrays.
 
-    Raises OSError if the file is damaged, or has no vertices.
+    Raises OSError if the file is damaged, has no vertices, or polygons without vertex_indices.
     """
     try:
         content = path.read_bytes()

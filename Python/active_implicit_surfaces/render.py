@@ -152,7 +152,7 @@ def capture(
     frame_duration : float
         Time until the next frame [time of the velocities]. Default: 1.
     camera_after : vtkCamera, optional
-        The camera of the next frame, if it moves.
+        The camera of the next frame. Default: the camera does not move.
     encoding : {"srgb", "linear"}
         Meaning of the window's colors: "srgb" for display colors (usual in VTK), "linear" for
         linear light. RGBA holds the window's 8 bits; write_exr converts sRGB to linear light.

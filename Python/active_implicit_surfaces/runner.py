@@ -33,7 +33,7 @@ class Sink:
 
 
 class FileSeries(Sink):
-    """Writes a file for each frame, and after the last frame an index, if `index` is given.
+    """Writes a file for each frame, and after a run without error an index, if `index` is given.
 
     - index (Path, optional): a .pvd or a .series, with a time for each name.
     """

@@ -114,10 +114,11 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return own
 
     def leave_out_pieces(self, minimum: int, volume: float, spacing: float) -> int:
-        """Removes particles in clusters of fewer than `minimum` particles or less than `volume`.
+        """Removes particles in clusters of fewer than `minimum` particles or less than `volume`
+        [length^3].
 
-        A particle has the volume spacing^3. Returns the least number of particles of a cluster.
-        Raises ValueError for images.
+        A particle has the volume spacing^3. Without a spacing all particles stay. Returns the least
+        number of particles of a cluster. Raises ValueError for images.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)
@@ -132,7 +133,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         """Converts images by one rule for all: masks to labels, 1 inside; others to level sets,
         negative inside.
 
-        Raises ValueError if the images have several labels, or by this rule no inside.
+        Particles stay. Raises ValueError if the images have several labels, or by this rule no
+        inside.
         """
         if self._output_type == "vtkImageData":
             self._change(converter_of_series(self.frames_that_tell()))
@@ -180,15 +182,16 @@ class ParticleSeries(TemporalSource):
     times : sequence of float, optional
         Time of each frame [time], increasing; required for a callable.
     fps : float, optional
-        Frames per unit of time [1/time], more than 0, instead of times: 0, 1/fps, 2/fps ...
-        Default: the times in the files, else 25.
+        Frames per unit of time [1/time], more than 0, instead of times: 0, 1/fps, 2/fps ...;
+        gaps in the numbers of files are gaps in time. Default: the times in the files, else 25.
     where : str or sequence of str, optional
         Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
 
     Raises
     ------
     ValueError
-        Times do not increase or match the frames; times and fps are both given; no frame is given.
+        Times do not increase, or are not one for each frame; times and fps are both given; no frame
+        is given; a condition is malformed.
     OSError
         A file does not exist or cannot be read.
 

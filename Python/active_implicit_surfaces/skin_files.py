@@ -112,8 +112,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     """Reads a mesh or an image; joins the file and `parts`, if any, into one mesh.
 
-    Images among the parts are contoured. Raises OSError if a file cannot be read, or has neither a
-    mesh nor an image.
+    With `parts`, images are contoured. A file without points is an empty mesh. Raises OSError if a
+    file cannot be read, or has points, but neither a mesh nor an image.
     """
     if parts:
         return output_of(vtkAppendPolyData(), *map(_surface_in, (path, *parts)))
@@ -222,7 +222,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """Converts polygons and strips to triangles; drops other cells unless all are triangles."""
+    """Returns a mesh without strips whose polygons are triangles as it is; else only triangles."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):

@@ -43,14 +43,15 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
     """Returns signed distances to the solvent-excluded surface, negative inside.
 
     - centers (array (n, 3)): centres of the atoms [length].
-    - radii (array (n,)): van der Waals radii [length]; atoms without a radius are ignored.
+    - radii (array (n,)): van der Waals radii [length]; atoms are ignored unless the radius is
+      finite and more than 0, and the centre finite.
     - probe (float): radius of the probe [length]; 0 or more.
     - voxel (float): spacing of the image's points [length]; their coordinates are multiples of the
       spacing.
 
-    Returns vtkImageData: image with the point array "distance" [length], clamped to two voxels.
+    Returns vtkImageData: image with the point array "distance" [length], clamped to +-2 voxels.
 
-    Raises ValueError if no atom has a radius, the probe touches too many atoms, or the image would
+    Raises ValueError if all atoms are ignored, the probe touches too many atoms, or the image would
     be too large.
     """
     radii = numpy.asarray(radii, float).reshape(-1)
@@ -119,7 +120,7 @@ def _image_of(values: Any, voxel: float, origin: Any) -> Any:
 class _Grid:
     """Points near atoms. `owner` of a point is the accessible ball in which the point is deepest,
     `depth` its depth in this ball, `exit` its least distance found so far to a possible centre of
-    the probe.
+    the probe; outside all accessible balls `exit` is `depth`, which is negative.
     """
 
     def __init__(self, centers: Any, radii: Any, voxel: float, probe: float) -> None:
@@ -141,7 +142,7 @@ class _Grid:
         self.exit = self.depth
 
     def add_balls(self) -> None:
-        """Finds depth and owner of all points that are not far outside."""
+        """Finds depth and owner of points within `probe`, or if larger `band`, of an atom."""
         for ball, (center, radius) in enumerate(zip(self.centers, self.radii)):
             box, axes = self._box(center, radius + max(0.0, self.band - self.probe))
             x, y, z = ((axis - own) ** 2 for axis, own in zip(axes, center))

@@ -56,7 +56,7 @@ class _Form(NamedTuple):
 
 
 def read_table(text: str) -> Frames:
-    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too).
+    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too), and the rest as arrays.
 
     Without names, the positions are the first three columns, after a column of row numbers if any.
     """
@@ -147,7 +147,7 @@ def _rows(lines: list[str], start: int) -> list[int]:
 
 
 def _find_header(lines: list[str]) -> _Form | None:
-    """Finds the header, which names positions and may be a comment."""
+    """Finds the header, which names positions and may be a comment; None without a header."""
     misfit = ""
     for place, line in enumerate(lines[:_SAMPLED]):
         text = _COMMENT.sub("", line)
@@ -298,7 +298,7 @@ def _counts_rows(column: Any) -> bool:
 
 
 def _split_by_time(frame: Frame) -> Frames:
-    """Splits the rows into frames by the column of times or of frame numbers."""
+    """Splits the rows into frames by the column of times or of frame numbers, if any."""
     numbers = [name for name, values in frame.items() if values.dtype.kind != "U"]
     lower = {name if name in ("t", "T") else name.lower(): name for name in numbers}
     name = next((name for name in (*_TIMES, *_COUNTS) if name in lower), None)

@@ -43,7 +43,7 @@ def places_of(numbers: Sequence[float]) -> list[float]:
 
 
 def times_between(times: Sequence[float], fps: float) -> list[float]:
-    """Returns times at intervals of 1/fps, from the first given time up to the last one."""
+    """Returns times at intervals of 1/fps, from the first to at most the last given time."""
     count = int((times[-1] - times[0]) * check_rate(fps) * (1.0 + 1e-9) + 1e-6)
     return [min(times[0] + i / fps, times[-1]) for i in range(count + 1)]
 

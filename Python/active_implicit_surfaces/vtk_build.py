@@ -17,7 +17,7 @@ BUILT_FOR = "@built_for@"
 
 
 def is_loaded(library: str) -> bool:
-    """Returns True if a library of this ELF name is loaded, which the loader then reuses."""
+    """Returns True if a library of this ELF name is loaded, or if this cannot be found out."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
         return True  # static VTK, or no ELF: only the version is checked
     try:

@@ -118,7 +118,7 @@ def _check_steps(path: Path) -> None:
 
 
 def update(reader: Any, path: Path, time: float | None = None) -> Any:
-    """Returns the output of a reader at a time step."""
+    """Returns the output of a reader at a time step, by default the first."""
     with quiet() as said, listening(reader) as heard:
         if time is None:
             reader.Update()
