@@ -53,10 +53,11 @@ class morph(Skins):
     Raises
     ------
     ValueError
-        The filter reports an error (the text is its message), duration or frames are out of range,
-        or a skin is empty although `b` is not.
+        The filter reports an error (the text is its message), duration, frames or fit are out of
+        range, or a skin is empty although `b` is not.
     TypeError
-        Unknown keyword (the text names the closest one), or a shape of a wrong type.
+        Unknown keyword (the text names the closest one), a keyword that follows from duration and
+        frames, or a shape of a wrong type.
 
     Warns
     -----

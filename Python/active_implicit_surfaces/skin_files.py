@@ -222,7 +222,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """Returns a mesh without strips whose polygons are triangles as it is; else only triangles."""
+    """Returns a mesh of triangles itself, of another mesh the triangles of polygons and strips."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):
