@@ -302,14 +302,14 @@ def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
-    """Returns the result of running_numbers if these are all integers; else 0, 1, 2 ..."""
+    """Returns the result of running_numbers if it has only integers; else 0, 1, 2 ..."""
     numbers = running_numbers(files)
     whole = [number for number in numbers if isinstance(number, int)]
     return whole if len(whole) == len(numbers) else list(range(len(files)))
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """Returns the only number that differs between names, if increasing; else 0, 1, 2 ..."""
+    """Returns for each name the only number that differs, if increasing; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))

@@ -30,7 +30,7 @@ _SAMPLED = 2000  # particles whose neighbours are searched
 _NEIGHBOURS = 3
 _VOXELS_OF_GRAIN = 3.0  # voxels per radius: the volume of 1,000 touching grains is exact to 3 %
 _COARSE = 0.1  # largest step between single-precision positions, in particle spacings
-_STEPS = 6.0  # distances fall by e^6 per frame, as by the automatic Attraction
+_STEPS = 6.0  # distances fall by a factor e^6 per frame, as by the automatic Attraction
 
 
 def apply_preset(

@@ -22,7 +22,7 @@ from .series import TemporalSource
 from .solvent import empty_image, excluded_distance, for_triangles, usual_voxel
 
 _RADII = "radius"
-_FOLLOWING = 24.0  # distances to the target fall by e^24 per step
+_FOLLOWING = 24.0  # distances to the target fall by a factor e^24 per step
 
 
 class ProbedAtoms:
@@ -58,7 +58,8 @@ class ProbedAtoms:
         sizes = self._radii_of(first)
         usual = usual_voxel(sizes[sizes > 0]) if (sizes > 0).any() else 1.0
         self._voxel = options["voxel_size"] = options.get("voxel_size") or usual
-        # The filter's factor, e^6, lags 0.2 Angstrom behind atoms that move by 1.5 per step.
+        # With the filter's factor, e^6, the skin lags 0.2 Angstrom behind atoms that move by 1.5
+        # Angstrom per step.
         step = median_step(atoms.times) * options.get("time_scale", 1.0)
         options.setdefault("attraction", _FOLLOWING / step)
         self._passes = options.pop("pass_target_arrays", False)
