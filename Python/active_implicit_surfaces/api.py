@@ -207,10 +207,11 @@ class frames(Skins):
             spacing = given or series_spacing(self.source.frames_that_tell())
             minimum_piece = self.source.leave_out_pieces(minimum_piece, minimum_volume, spacing)
         if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
-            told = where if isinstance(where, str) else " and ".join(where)
-            told = f"No particle of any frame meets {told}" if told else "No frame has particles"
+            conditions = where if isinstance(where, str) else " and ".join(where)
+            fault = f"No particle of any frame meets {conditions}"
+            fault = fault if conditions else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
-            raise ValueError(f"{told}{more}; relax the selection.")
+            raise ValueError(f"{fault}{more}; relax the selection.")
         if probe is not None:
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
             self.source, arrays = self._atoms.source, None

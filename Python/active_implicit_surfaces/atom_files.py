@@ -139,7 +139,7 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Adds atomic numbers, van der Waals radii, and elements as texts, unless no symbol is known.
+    """Adds atomic numbers, radii and elements as texts, unless no symbol has a known radius.
 
     Symbols are elements, or atom names if `are_names` is true or by the rule of _elements_of.
     `unit` is the length of one Angstrom.

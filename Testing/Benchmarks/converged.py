@@ -20,10 +20,11 @@ import numpy as np
 from skin_makers import living_skin
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger
-from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkPolyDataConnectivityFilter
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
 from fluid_scenes import load_scene  # noqa: E402
+from real_measures import pieces_of  # noqa: E402
 
 FIRST = 4
 EVERY = 5  # step through the vertices
@@ -43,16 +44,6 @@ def arguments():
     return parser.parse_args()
 
 
-def count_parts(skin):
-    if skin.GetNumberOfPolys() == 0:
-        return 0
-    parts = vtkPolyDataConnectivityFilter()
-    parts.SetInputData(skin)
-    parts.SetExtractionModeToAllRegions()
-    parts.Update()
-    return parts.GetNumberOfExtractedRegions()
-
-
 def distances(skin, converged):
     """Distances of some vertices; empty if one of the skins is empty."""
     if 0 in (skin.GetNumberOfPolys(), converged.GetNumberOfPolys()):
@@ -70,7 +61,7 @@ def measure(scene, config, converged):
         seconds.append(cost)
         if frame >= FIRST:
             far += distances(skin, converged[frame])
-            others += count_parts(skin) != count_parts(converged[frame])
+            others += pieces_of(skin) != pieces_of(converged[frame])
     far = np.array(far) / voxel
     return far.mean(), np.percentile(far, 99), others, statistics.median(seconds[1:])
 

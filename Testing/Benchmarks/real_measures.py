@@ -16,6 +16,9 @@ def is_closed(mesh):
 
 
 def pieces_of(mesh):
+    """Number of connected parts; 0 for an empty mesh."""
+    if mesh.GetNumberOfPolys() == 0:
+        return 0
     parts = vtkPolyDataConnectivityFilter()
     parts.SetInputData(mesh)
     parts.SetExtractionModeToAllRegions()

@@ -13,6 +13,11 @@ namespace
 
 constexpr std::uint64_t WindowSize = 1 << 16;
 
+[[noreturn]] void RefuseEnd()
+{
+  throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
+}
+
 }
 
 void RefuseDamage(const std::string& what)
@@ -45,7 +50,7 @@ void ByteSource::Seek(std::uint64_t position)
 {
   if (position > this->Size)
   {
-    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
+    RefuseEnd();
   }
   this->Position = position;
 }
@@ -54,7 +59,7 @@ void ByteSource::Skip(std::uint64_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
+    RefuseEnd();
   }
   this->Position += count;
 }
@@ -63,7 +68,7 @@ void ByteSource::Read(void* bytes, std::size_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
+    RefuseEnd();
   }
   auto to = static_cast<char*>(bytes);
   while (count > 0)
@@ -92,7 +97,7 @@ std::string ByteSource::ReadBytes(std::uint64_t count)
 {
   if (count > this->GetRest())
   {
-    throw std::runtime_error("it ends too early, or is damaged; copy or write it again");
+    RefuseEnd();
   }
   std::string bytes(count, '\0');
   this->Read(&bytes[0], bytes.size());

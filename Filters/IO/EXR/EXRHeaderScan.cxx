@@ -20,9 +20,9 @@ namespace activesurface
 namespace
 {
 
-[[noreturn]] void Refuse(const std::string& sentence)
+[[noreturn]] void RefuseHeader(const std::string& fault)
 {
-  throw FileError(vtkErrorCode::FileFormatError, sentence);
+  throw FileError(vtkErrorCode::FileFormatError, fault + "; copy or write it again");
 }
 
 char ReadByte(EXRInput& input)
@@ -48,7 +48,7 @@ std::string ReadName(EXRInput& input)
     name += byte;
     if (name.size() > longest)
     {
-      Refuse("a name in its header has no end; copy or write it again");
+      RefuseHeader("a name in its header has no end");
     }
   }
   return name;
@@ -64,7 +64,7 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   const std::uint64_t end = input.tellg() + size;
   if (end > input.GetSize() || size > std::numeric_limits<int>::max())
   {
-    Refuse("attribute " + name + " of its header is larger than the file; copy or write it again");
+    RefuseHeader("attribute " + name + " of its header is larger than the file");
   }
   const std::unique_ptr<Imf::Attribute> attribute(Imf::Attribute::knownType(type.c_str())
       ? Imf::Attribute::newAttribute(type.c_str())
@@ -72,8 +72,7 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   attribute->readValueFrom(input, static_cast<int>(size), version);
   if (input.tellg() != end)
   {
-    Refuse("attribute " + name +
-      " of its header does not have the length that it declares; copy or write it again");
+    RefuseHeader("attribute " + name + " of its header does not have the length that it declares");
   }
   header.insert(name, *attribute);
 }
@@ -123,8 +122,8 @@ void CheckWindow(const Imath::Box2i& window)
   {
     if (x < -farthest || x > farthest)
     {
-      Refuse("a window of its header reaches to pixel " + std::to_string(x) +
-        ", beyond 2^29; copy or write it again");
+      RefuseHeader(
+        "a window of its header reaches to pixel " + std::to_string(x) + ", beyond 2^29");
     }
   }
 }
@@ -162,9 +161,9 @@ void CheckSize(const Imf::Header& header, bool tiled, double fileSize)
   if (8.0 * CountChunks(header, tiled, width, height) > fileSize ||
     (!deep && bytes > fileSize * FindLargestRatio(header.compression())))
   {
-    Refuse("its header claims an image of " + std::to_string(static_cast<long long>(width)) +
+    RefuseHeader("its header claims an image of " + std::to_string(static_cast<long long>(width)) +
       " x " + std::to_string(static_cast<long long>(height)) + " pixels, which no file of " +
-      std::to_string(static_cast<long long>(fileSize)) + " bytes can hold; copy or write it again");
+      std::to_string(static_cast<long long>(fileSize)) + " bytes can hold");
   }
 }
 
@@ -198,7 +197,8 @@ void CheckEXRHeaders(EXRInput& input)
   const int version = static_cast<int>(ReadNumber(input));
   if (Imf::getVersion(version) != Imf::EXR_VERSION)
   {
-    Refuse("its version of the EXR format is not 2, the only supported version; convert the file");
+    throw FileError(vtkErrorCode::FileFormatError,
+      "its version of the EXR format is not 2, the only supported version; convert the file");
   }
   while (ReadHeader(input, version) && Imf::isMultiPart(version))
   {

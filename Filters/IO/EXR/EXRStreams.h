@@ -1,4 +1,4 @@
-// Streams for OpenEXR that report every error; the size of an input is known. OpenEXR's own output
+// Streams for OpenEXR that report every error. An input has its size in bytes. OpenEXR's own output
 // stream ignores errors of the last bytes, which are written when the stream closes.
 
 #ifndef EXRStreams_h
