@@ -79,14 +79,14 @@ def _stand_in(renderer: Any, velocity: Any) -> Any:
     actors.InitTraversal()
     while (actor := actors.GetNextActor()) is not None:
         index += 1
-        surface = _surface_of(actor)
+        surface = _surface_of(actor, velocity)
         if surface is not None:
             surfaces.append(_with_values(surface, velocity, index, camera))
     return output_of(vtkAppendPolyData(), *surfaces) if surfaces else None
 
 
-def _surface_of(actor: Any) -> Any:
-    """Returns an actor's opaque surface in world coordinates, or None."""
+def _surface_of(actor: Any, velocity: Any) -> Any:
+    """Returns an actor's opaque surface, normals and velocity in world coordinates, or None."""
     mapper = actor.GetMapper()
     if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
         return None
@@ -104,6 +104,7 @@ def _surface_of(actor: Any) -> Any:
         normals = vtkPolyDataNormals()
         normals.SplittingOff()
         surface = output_of(normals, surface)
+    surface.GetPointData().SetActiveVectors(velocity)
     to_world, turned = vtkTransform(), vtkTransformFilter()
     to_world.SetMatrix(actor.GetMatrix())
     turned.SetTransform(to_world)

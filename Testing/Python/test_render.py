@@ -44,14 +44,14 @@ ANGLE, SCALE = 30.0, 1.3
 STEEPEST = 0.2
 
 
-def ball_actor():
+def ball_actor(radius=RADIUS, speed=SPEED):
     source = vtkSphereSource()
-    source.SetRadius(RADIUS)
+    source.SetRadius(radius)
     source.SetThetaResolution(AROUND)
     source.SetPhiResolution(DOWN)
     source.Update()
     ball = source.GetOutput()
-    speeds = numpy_to_vtk(numpy.tile(SPEED, (ball.GetNumberOfPoints(), 1)), deep=True)
+    speeds = numpy_to_vtk(numpy.tile(speed, (ball.GetNumberOfPoints(), 1)), deep=True)
     speeds.SetName("Velocity")
     ball.GetPointData().AddArray(speeds)
     return actor_of(ball)
@@ -213,6 +213,16 @@ class Layers(unittest.TestCase):
                 # A silhouette of flat triangles loses pixels, and never gains one.
                 self.assertFalse((~nothing & missed).any())
                 self.assertLess((nothing & ~missed).sum(), 40)
+
+    def test_velocities_turn_and_grow_with_their_actor(self):
+        actor = ball_actor(RADIUS / 2, numpy.array([SPEED[1], -SPEED[0], SPEED[2]]) / 2)
+        actor.SetScale(2.0)
+        actor.RotateZ(90)
+        actor.SetPosition(CENTER)
+        window = window_with(actor)
+        layers = layers_of(render.capture(window, frame_duration=DURATION))
+        camera = window.GetRenderers().GetFirstRenderer().GetActiveCamera()
+        self.check_ball(layers, False, camera.GetClippingRange())
 
     def test_ids_are_the_actors_in_their_order_and_what_is_hidden_does_not_show(self):
         window = window_with(floor_actor(), self.moved_ball())
