@@ -131,7 +131,6 @@ def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[st
     if radii is not None:
         points = vtkDataObject.FIELD_ASSOCIATION_POINTS
         surface.SetInputArrayToProcess(_RADII, 0, 0, points, radii.GetName())
-    elif are_grains and "kernel_radius" not in options:
-        surface.SetKernelRadius(REACH_OF_ATOM * radius)
-    elif not {"kernel_radius", "particle_spacing"} & set(options):
-        surface.SetKernelRadius(1.3 * REACH_OF_ATOM * spacing)  # atoms overlap
+    elif "kernel_radius" not in options:
+        overlap = 1.0 if are_grains else 2.6  # of radius, half of the spacing
+        surface.SetKernelRadius(overlap * REACH_OF_ATOM * radius)

@@ -79,6 +79,11 @@ class Balls(unittest.TestCase):
     def test_a_preset_for_atoms(self):
         self.check([1.7, 1.1], 0.25, preset="molecule")
 
+    def test_atoms_without_radii_are_balls_of_1_3_spacings(self):
+        centers = numpy.array([[0.0, 0, 0], [9, 0, 0]])
+        skin = active.skin(centers, preset="molecule", particle_spacing=2.0, voxel_size=0.3)
+        numpy.testing.assert_allclose(radii_of_balls(skin, centers), 2.6, rtol=0.02)
+
     def test_a_preset_for_grains(self):
         self.check([0.5, 0.4, 0.3], 0.1, preset="grains")
 
