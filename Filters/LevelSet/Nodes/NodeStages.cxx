@@ -1,38 +1,20 @@
 #include "Nodes/NodeStages.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Tension.h"
 #include "Nodes/LeafPoints.h"
+#include "Nodes/StagePlan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace activesurface
 {
 
 namespace
 {
-
-/** Least number of stages with attraction: five decays by e^(-1.2) at the automatic Attraction dt =
- * 6. In five stages, differences over 2 and 4 nodes compute the whole automatic tension if h is at
- * least half of the particle spacing. */
-constexpr int FewestStages = 5;
-
-/** Without attraction, up to this number of stages compute all tension by differences over 2 nodes.
- * Wider differences are less accurate on thin parts. */
-constexpr int FineStages = 64;
-/** Largest Tension dt / h^2 of a stage by differences over 2 nodes only: explicit diffusion is
- * stable up to 1/6. */
-constexpr float TensionOfFineStage = .15f;
-
-/** Largest Tension dt / h^2 of any other stage: by differences over 2 nodes, by differences over 4
- * nodes, and by all differences (over 2, 4 and 8 nodes). A stage multiplies a wave on a flat
- * surface by 1 - g; g is the sum of Tension dt / h^2 by the differences over 2, 4 and 8 nodes, each
- * times the factor of these differences for the wave. Over all normals and waves g is at most 1.66.
- * If g exceeded 2, waves of three nodes would grow from stage to stage. Differences over 8 nodes
- * compute a third of the tension at most: with half of it, waves of 8 nodes are damped so little
- * that they show. */
-constexpr float TensionOfStage = .1f, SecondOfStage = .5f, TensionOfStages = .9f;
 
 /**
  * Factor of the attraction within the noise of a body. With this factor and Attraction dt = 6,
@@ -93,37 +75,14 @@ struct DistanceKernel
   }
 };
 
-/** Number of stages, and the largest Tension dt / h^2 of all stages together: First by differences
- * over 2 nodes, Second by differences over 4 nodes. */
-struct StagePlan
-{
-  int Count;
-  float First, Second;
-};
-
-StagePlan PlanStages(const StageCoefficients& coefficients)
-{
-  const float tension = coefficients.Tension;
-  if (coefficients.Decay == 0.f && tension <= TensionOfFineStage * FineStages)
-  {
-    const int count = static_cast<int>(std::ceil(tension / TensionOfFineStage));
-    return { std::max(1, count), tension, 0.f };
-  }
-  constexpr float most = 1e6f;
-  const float wanted = std::min(std::ceil(tension / TensionOfStages), most);
-  const int fewest = coefficients.Decay == 0.f ? FineStages : FewestStages;
-  const int count = std::max(fewest, static_cast<int>(wanted));
-  return { count, TensionOfStage * static_cast<float>(count),
-    SecondOfStage * static_cast<float>(count) };
-}
-
-/** One of the plan's stages. W: number of nodes that the widest differences read on either side. */
+/** A stage. W: number of nodes that the widest differences read on either side. */
 template <int W>
 struct StageKernel
 {
   const NodeFields& Fields;
   const StageCoefficients& Coefficients;
-  const StagePlan& Plan;
+  float Share; // duration of the stage
+  float Fine;  // see StagePlan
   float Shift; // added to the potential, within the slack
 
   /** The first loop finds the tension of all rows. The second loop is a chain of divisions. The
@@ -178,8 +137,7 @@ private:
     return BitsOf(isFar) == 0xffu;
   }
 
-  /** Returns b g kappa |grad u|; see NodeStages.h. Differences over 2 nodes compute the tension up
-   * to their stable limit, wider differences compute the rest. */
+  /** Returns b g kappa |grad u|; see NodeStages.h. */
   ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& bulk) const
   {
     if (!(this->Coefficients.Tension > 0.f))
@@ -187,23 +145,14 @@ private:
       return AllLanes(0.f);
     }
     const Lanes wanted = this->FindTension(bulk);
-    const Lanes first = Least(wanted, AllLanes(this->Plan.First));
-    Lanes pull = first * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 1>(c);
-    if constexpr (W >= 2)
+    const Lanes fine = Least(wanted, AllLanes(this->Fine));
+    Lanes pull = fine * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 1>(c);
+    if constexpr (W == 2)
     {
-      const Lanes rest = wanted - first;
-      const Lanes second = W == 2 ? rest : Least(rest, AllLanes(this->Plan.Second));
-      if (BitsOf(second > AllLanes(0.f)) != 0)
+      const Lanes rest = wanted - fine;
+      if (BitsOf(rest > AllLanes(0.f)) != 0)
       {
-        pull += second * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 2>(c);
-      }
-      if constexpr (W >= 4)
-      {
-        const Lanes third = rest - second;
-        if (BitsOf(third > AllLanes(0.f)) != 0)
-        {
-          pull += third * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 4>(c);
-        }
+        pull += rest * Bend<NodeBlock<W>::X, NodeBlock<W>::Y, 2>(c);
       }
     }
     return pull;
@@ -221,19 +170,18 @@ private:
     const Lanes& u, const Lanes& psi, const Lanes& bulk, const Lanes& pull) const
   {
     const Lanes one = AllLanes(1.f), miss = psi - u;
-    const float share = 1.f / static_cast<float>(this->Plan.Count);
     Lanes rate = AllLanes(this->Coefficients.Decay), lambda = one;
     if (this->Coefficients.Noise > 0.f)
     {
       this->Slow(u, miss, pull, bulk, rate, lambda);
     }
     // Exponential Euler, exact at a steady state. e^x = 1 + x * series, to the fourth power of x.
-    const Lanes x = AllLanes(share) * rate * lambda;
+    const Lanes x = AllLanes(this->Share) * rate * lambda;
     const Lanes series =
       one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)));
     const Lanes decayed = one / (one + x * series);
     const Lanes mean = series * decayed; // (1 - decayed) / x
-    return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
+    return psi - decayed * miss + AllLanes(this->Share) * pull * lambda * mean;
   }
 
   /** Reduces the attraction within the noise of a body. Where attraction and tension nearly
@@ -327,10 +275,10 @@ private:
 };
 
 template <int W>
-void RunStage(const NodeFields& fields, const StageCoefficients& coefficients,
-  const StagePlan& plan, float shift)
+void RunStage(const NodeFields& fields, const StageCoefficients& coefficients, float share,
+  float fine, float shift)
 {
-  fields.Leaves.RunKernel(StageKernel<W>{ fields, coefficients, plan, shift });
+  fields.Leaves.RunKernel(StageKernel<W>{ fields, coefficients, share, fine, shift });
   std::swap(fields.Potential, fields.Room);
 }
 
@@ -348,9 +296,7 @@ float FindFollowedShare(const StageCoefficients& coefficients, float miss, float
     const float slow = 1.f - std::min(2.f * bulk, 1.f) * (1.f - SlowShare);
     share = slow + (1.f - slow) * power / (1.f + power);
   }
-  const float x = share * coefficients.Decay / static_cast<float>(FewestStages);
-  const float decayed = 1.f / (1.f + x * (1.f + x * (.5f + x * (1.f / 6.f + x / 24.f))));
-  return 1.f - (decayed * decayed) * (decayed * decayed);
+  return static_cast<float>(-ExponentialMinusOne(-share * coefficients.Decay));
 }
 
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
@@ -362,19 +308,19 @@ void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   leaves.RunKernel(DistanceKernel{ leaves, potential, freedom, psi, isFree ? &slack : nullptr });
 }
 
-void RunStages(const NodeFields& fields, const StageCoefficients& coefficients)
+void RunStages(const NodeFields& fields, const StageCoefficients& given)
 {
-  constexpr float rounded = 1.f + 1e-3f;
-  const StagePlan plan = PlanStages(coefficients);
-  const float tension = coefficients.Tension, both = (plan.First + plan.Second) * rounded;
+  StageCoefficients coefficients = given;
+  coefficients.Tension = std::min(given.Tension, MostStageTension);
+  const StagePlan plan =
+    fields.Slack ? PlanEqualStages(coefficients.Tension) : PlanCycles(coefficients.Tension);
   VolumeKeeper keeper(fields);
-  for (int stage = 0; stage < plan.Count; ++stage)
+  for (const float share : plan.Shares)
   {
     fields.Halo.Refresh(fields.Potential);
     const float shift = keeper.FindShift();
-    tension <= plan.First ? RunStage<1>(fields, coefficients, plan, shift)
-      : tension <= both   ? RunStage<2>(fields, coefficients, plan, shift)
-                          : RunStage<4>(fields, coefficients, plan, shift);
+    coefficients.Tension <= plan.Fine ? RunStage<1>(fields, coefficients, share, plan.Fine, shift)
+                                      : RunStage<2>(fields, coefficients, share, plan.Fine, shift);
   }
 }
 

@@ -1,0 +1,46 @@
+/**
+ * Number and durations of the stages of a frame of the node scheme (NodeStages.h).
+ */
+#ifndef StagePlan_h
+#define StagePlan_h
+
+#include <vector>
+
+namespace activesurface
+{
+
+/** Differences over 2 nodes compute the tension b = Tension dt / h^2 up to Fine, differences over 4
+ * nodes compute the rest. Differences over 2 nodes are more accurate on thin parts, and need more
+ * stages. */
+struct StagePlan
+{
+  std::vector<float> Shares; //< durations; sum 1, the frame
+  float Fine;                //< at least b / 6, as differences over 4 nodes miss waves of 2 nodes
+};
+
+/** Stages of different durations (super time steps: Alexiades, Amiez, Gremaud 1996), in cycles of
+ * five to seven. A cycle of n stages is stable over n^2 / 3 times the longest stable duration of
+ * one stage. On a flat surface
+ * - a frame multiplies a wave by at most 0.1 (with attraction 0.3) or e^-g, the larger of the two;
+ * - before the frame's end, a wave has at most 1.2 times its size at the beginning;
+ * - an error made after any stage of a cycle grows by a factor of at most 8.3 to the cycle's end.
+ * tension: b, 0 to MostStageTension. */
+StagePlan PlanCycles(float tension);
+
+/** Stages of equal duration, for surfaces with NodeFreedom. Larger stages would show the limits of
+ * the freedom. tension: b, 0 to MostStageTension. */
+StagePlan PlanEqualStages(float tension);
+
+/** More tension has no further effect: a surface of less than 1000 voxels vanishes in one frame. */
+constexpr float MostStageTension = 1e6f;
+
+/** A single stage of the duration 1 would multiply a wave by 1 - g. Returns a bound of g / b, over
+ * all waves and normals. f: fraction of b by differences over 2 nodes, 1/6 to 1. */
+constexpr float GreatestFactor(float f)
+{
+  return 1.544f + 6.456f * f;
+}
+
+}
+
+#endif
