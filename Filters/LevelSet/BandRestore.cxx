@@ -82,8 +82,8 @@ void BandState::AddGhosts()
   }
 }
 
-// Clamps the layers to +-NodeLimit, as the node scheme does. Nodes of the layers have + or - the
-// background in leaves that the node scheme has not created.
+// Clamps the layers to +-NodeLimit, as the node scheme does. Without the clamp, nodes of the layers
+// would have + or - the background in leaves that the node scheme has not created.
 void BandState::BoundLayers()
 {
   this->Leaves.ForEach(

@@ -59,7 +59,7 @@ struct VoxelTriangles
 /**
  * Returns the triangles of a voxel whose corner c is inside (negative) if bit c of insideBits is
  * set. Range: 0 to 255; higher bits are ignored. Thread-safe; the first call builds the table. The
- * table is contiguous: insideBits is the offset from the result for 0.
+ * table is contiguous: the result is (&TrianglesOfVoxel(0))[insideBits].
  */
 ACTIVELEVELSET_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
 }

@@ -31,8 +31,9 @@ struct LatticeCell
   double Fraction[3];
 };
 
-/** Returns true if a position [voxels] is more than a voxel outside a box of nodes, if the box is
- * empty, or if the position is NaN. All other positions fit into lattice coordinates. */
+/** Returns true if a position [voxels] is more than a voxel outside a box of nodes along an axis,
+ * if the box is empty, or if the position is NaN. All other positions fit into lattice coordinates.
+ */
 inline bool IsBeyond(const openvdb::CoordBBox& nodes, const double place[3])
 {
   bool isBeyond = nodes.empty();

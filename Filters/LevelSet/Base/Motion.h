@@ -4,12 +4,12 @@
  * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, see NarrowBand.h; sign
  * of the tension corrected):
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
- *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (B0 - B) / B0
  * F - iso: the target's value (Target.h), v: the target's velocity, n: the outward normal, w:
  * weight of tension. Explicit substeps leave out the term of Transport, and w is 1. The node scheme
  * uses the signed distance to the target instead of F - iso (Nodes/NodeStages.h). kappa = div n is
  * the SUM of the principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 =
- * r0^2 - 4 Tension t. A and V are the area and the volume of the skin, A0 and V0 the values to
+ * r0^2 - 4 Tension t. A and B are the area and the volume of the skin, A0 and B0 the values to
  * conserve. The terms of AreaStiffness and VolumeStiffness act only in explicit substeps with
  * Control::Penalty.
  */
@@ -74,8 +74,7 @@ struct Motion
 
   /**
    * Fraction of the target's velocity with which the surface is carried, in [0,1]. With 1 the
-   * surface follows the target without a lag, at any Attraction. Used only by
-   * TimeIntegration::Nodes.
+   * surface follows a moving target nearly without lag. Used only by TimeIntegration::Nodes.
    */
   double Transport = 0.0;
 
@@ -102,9 +101,9 @@ struct Motion
   ///@}
 
   ///@{
-  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere of radius r0 under
-   * tension keeps a deficit e:
-   *   volume: e = 1 - V/V0, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0),
+  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere of the initial radius
+   * r0, moved only by tension and one penalty, keeps a deficit e:
+   *   volume: e = 1 - B/B0, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0),
    *   area:   e = 1 - A/A0, e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0).
    * The sphere collapses if VolumeStiffness r0 < 4.233 Tension, or AreaStiffness r0 < 5.196
    * Tension. */
@@ -141,8 +140,8 @@ struct Motion
   Obstacle* Solid = nullptr;
 
   /** If true, explicit substeps search the target's regions. Parts of the target that no skin
-   * reaches, and hollows deep inside the skin, then get a skin. Not in the paper's scheme, or
-   * without Attraction. The node scheme needs no search. */
+   * reaches, and hollows deep inside the skin, then get a skin. The paper's scheme, and motions
+   * without Attraction, do not search. The node scheme needs no search. */
   bool CreateParts = false;
 };
 

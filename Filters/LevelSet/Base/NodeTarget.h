@@ -35,8 +35,8 @@ struct Shell
   std::vector<NodeIndex> InsideLeaves; //< wholly inside, not in Leaves; only if wanted; any order
 };
 
-/** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is at the node
- * (4 i, 4 j, 4 k) of the leaf. */
+/** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is (4 i, 4 j, 4
+ * k) nodes from the leaf's origin. */
 struct LeafMotion
 {
   static constexpr int Points = 27;

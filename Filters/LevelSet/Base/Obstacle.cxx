@@ -29,8 +29,8 @@ openvdb::Coord ToCoord(const std::array<int, 3>& node)
   return openvdb::Coord(node.data());
 }
 
-/** The nodes around a coordinate along one axis. A coordinate within 1e-6 of a node counts as on
- * the node. */
+/** The nodes around a coordinate [voxels] along one axis. A coordinate within 1e-6 voxel of a node
+ * counts as on the node. */
 struct Neighbours
 {
   int Lower;

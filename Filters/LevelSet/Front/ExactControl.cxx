@@ -80,9 +80,9 @@ void Displace(const ControlledBand& band, double distance)
   band.Rebuild(band.Set);
 }
 
-/** Restores a measure of the skin by the secant method. wanted, skin: wanted and present measures
- * [voxels^2, voxels^3]. gain: initial estimate of the change of the measure per voxel of
- * displacement. */
+/** Restores the area or the volume of the skin by the secant method. wanted, skin: wanted and
+ * present values [voxels^2 or voxels^3]. gain: initial estimate of the change of the value per
+ * voxel of displacement. */
 void Restore(const ControlledBand& band, double SkinMeasure::*number, double wanted,
   SkinMeasure skin, double gain)
 {

@@ -6,7 +6,7 @@
  *   layers 0 to 2 is activated and keeps its value. An active node outside these layers is
  *   deactivated when its value reaches a threshold.
  * - The target at a node with crossed edges is the plain mean at the crossings (4.3). For other
- *   nodes, the target is evaluated at the node itself.
+ *   nodes, and with another TargetEvaluation than Shifted, see NodePoints.h.
  * - Curvature (5) and gradient use central differences; the curvature is clamped to +-4 per voxel.
  * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = -phi / (3 h)
  *   is the paper's potential. The units of (7) are inconsistent; (7) is evaluated in a box of unit

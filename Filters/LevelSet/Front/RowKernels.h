@@ -54,7 +54,7 @@ struct UpwindSquares
   float Inward;
 };
 
-/** ENO2: one-sided differences, each corrected by the smaller neighbouring second difference. */
+/** ENO2: one-sided differences, each corrected by half the MinMod of two second differences. */
 ACTIVE_ALWAYS_INLINE UpwindSquares UpwindDifferences(const float* u, int stride)
 {
   const float behind = u[0] - u[-stride];
@@ -69,7 +69,7 @@ ACTIVE_ALWAYS_INLINE UpwindSquares UpwindDifferences(const float* u, int stride)
   return { outward * outward, inward * inward };
 }
 
-/** next -= advection * V * |grad u| + q * sign(u) * (|grad u| - 1). */
+/** next -= advection * V * |grad u| + q * sign(u) * (|grad u| - 1). V: speed, q: relaxation. */
 ACTIVE_ALWAYS_INLINE void AddTransport(
   const float* u, const float* speed, float advection, const RowMask& relaxation, float* next)
 {

@@ -23,9 +23,9 @@ struct TargetSamples
 
 /**
  * Evaluates the target once at each point of these leaves, leaf by leaf. In a leaf the crossings
- * come first, axis by axis, in the order of the lower nodes of the edges. The points of
- * NodesWithOwnPoint follow. A crossing is the zero of u interpolated linearly on the edge. Fills
- * Samples and LargestTargetSlope.
+ * come first (if SamplesCrossings), axis by axis, in the order of the lower nodes of the edges. The
+ * points of NodesWithOwnPoint follow. A crossing is the zero of u interpolated linearly on the
+ * edge. Fills Samples and LargestTargetSlope.
  */
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);

@@ -138,8 +138,8 @@ struct CrossedEdge
 };
 
 /** Calls function(CrossedEdge) for the crossed edges of a leaf's voxels that are along an axis and
- * begin in the leaf `owner`. next: offset of `owner` from the leaf of the voxels, 0 or 1 along each
- * axis. */
+ * begin in the leaf `owner`. next: offset of `owner` from the leaf of the voxels, 0 or 1 leaf along
+ * each axis. */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   const LeafTable& table, std::int32_t owner, int axis, const int next[3], Function&& function)

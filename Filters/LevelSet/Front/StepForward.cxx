@@ -45,8 +45,8 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, un
 }
 
 /**
- * Finds the largest speed of the surface at the nodes of crossed edges. If the speed in the first
- * row exceeds Enough, as in most moving leaves, other rows are skipped.
+ * Finds the largest speed of the surface at the nodes of crossed edges. Rows after a row with a
+ * speed above Enough are skipped: in most moving leaves, all rows after the first.
  */
 struct FindRate
 {

@@ -49,7 +49,8 @@ struct GradientCounts
 
 /** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of
  * crossed edges. The target speeds at these nodes have to be valid. If the largest speed exceeds
- * `enough`, any speed above `enough` may be stored. coefficients: those of a step of dt = h. */
+ * `enough`, any speed above `enough` may be stored instead. coefficients: those of a step of dt =
+ * h. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 
@@ -57,12 +58,13 @@ void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients&
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers);
 
-/** Sums the counts of the active leaves, which a pass has stored in the buffers. */
+/** Sums the counts that a pass has stored in the buffers for the active leaves; Nodes is counted in
+ * all leaves of this rank. */
 GradientCounts SumOfCounts(
   const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Copies Next to the potential of the active leaves and finds the signs. Marks all active nodes of
- * the affected leaves as updated. */
+ * the affected leaves as updated, and invalidates the speeds of these leaves. */
 void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface does not move. */

@@ -5,10 +5,10 @@
  * The speed of a node with crossed edges is the mean over the sample points of these edges,
  * weighted by 1/t^2. Here t is the fraction of the edge from the node to the crossing. If F is
  * linear, and the surface is a plane that crosses an edge of the node on each axis, the mean is F
- * at the closest point of the plane. In the paper's scheme all weights are 1. Sweeps extend the
- * speed from these nodes to nodes farther from the surface. An extended speed is the mean over the
- * neighbours with known speeds, with the weight max(|u| - |u_n|, 0) for the neighbour n, or the
- * plain mean if all weights are 0.
+ * at the closest point of the plane. In the paper's scheme all weights are 1, and speeds are not
+ * extended. Otherwise sweeps extend the speed from these nodes to nodes farther from the surface.
+ * An extended speed is the mean over the neighbours with known speeds, with the weight max(|u| -
+ * |u_n|, 0) for the neighbour n, or the plain mean if all weights are 0.
  */
 #ifndef TargetSpeed_h
 #define TargetSpeed_h
@@ -29,7 +29,8 @@ struct SubstepBuffers;
 void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** Extends the speed to the active nodes without samples in the affected leaves. */
+/** Extends the speed to the active nodes without samples in the affected leaves. Does nothing in
+ * the paper's scheme, or unless SamplesCrossings. */
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 

@@ -28,8 +28,8 @@ struct Candidates
   }
 };
 
-/** Growth g from three nodes in one direction. step: increase from the second node to the first; a
- * step of 0 has weight 0. */
+/** Growth g of |u| beyond three nodes in one direction (GhostFill.h). step: increase from the
+ * second node to the first; with a step of 0, g is 0. */
 ACTIVE_ALWAYS_INLINE float LimitedGrowth(float step, float second, float third)
 {
   const float most = 2.f * step;
@@ -109,7 +109,8 @@ private:
       });
   }
 
-  /** Returns the mean over all candidates, for nodes whose three-point rays have too little weight.
+  /** Returns the weighted mean over all candidates; without weights, the smallest |u| of a
+   * neighbour. For nodes whose three-point rays have too little weight.
    */
   float FindUncertain(int node) const
   {
@@ -133,7 +134,7 @@ private:
     }
     this->AddCorners(node, smallest, other);
     const float weight = this->Weight[node] + other.Weight;
-    // No candidate has an increase: on a medial axis the potential is flat.
+    // Without weight no candidate has an increase: on a medial axis the potential is flat.
     return weight > 0.f ? (this->Sum[node] + other.Sum) / weight : smallest;
   }
 

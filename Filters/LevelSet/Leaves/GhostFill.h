@@ -8,10 +8,10 @@
  *
  *   a = a1 + g,  g = 2 (a1 - a2) - (a2 - a3) limited to [0, 2 (a1 - a2)],  weight g^2
  *
- * If the weights sum to less than 1 % of the largest (a1 - a2)^2, LayerFill adds rays of two nodes
- * and corners of squares. Extrapolation from three points makes tension converge under refinement.
- * Four points would be more exact but are unstable at a steady state. A node that entered the band
- * was not updated by this substep; its old value would be wrong by 0.1 %.
+ * If the weights sum to 0, or to less than 1 % of the largest (a1 - a2)^2, LayerFill adds rays of
+ * two nodes and corners of squares. Extrapolation from three points makes tension converge under
+ * refinement. Four points would be more exact but are unstable at a steady state. A node that
+ * entered the band was not updated by this substep; its old value would be wrong by 0.1 %.
  */
 #ifndef GhostFill_h
 #define GhostFill_h

@@ -81,7 +81,8 @@ private:
   }
 };
 
-/** Crossed voxels with lower corners -1..7 around a leaf, at bit z + 1. */
+/** Crossed voxels whose lower corners have coordinates -1 to 7 relative to a leaf: bit z + 1 of the
+ * row [x + 1][y + 1]. */
 struct CrossedVoxels
 {
   std::uint16_t Row[9][RowsRead];

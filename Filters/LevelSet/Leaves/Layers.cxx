@@ -138,7 +138,8 @@ ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf
   leaf.HoldsStaleValue = leaf.UpToLayer[LastLayer];
 }
 
-/** Derives the other data of a leaf from the layers. No leaf reads another leaf's results. */
+/** Finds the crossed edges, active nodes, background values and summary of a leaf. The order of the
+ * leaves does not matter. */
 struct UseLayers
 {
   LeafTable& Table;

@@ -3,7 +3,7 @@
  * of the tree, except leaves added since Rebuild, which come last.
  *
  * The table has all data derived from the signs of the potential: layers, active nodes, crossed
- * edges. All passes over the band run over this table, one leaf at a time, in parallel. A pass
+ * edges. Passes over the band call a kernel for each leaf, mostly in parallel. A parallel kernel
  * writes only the leaf for which it is called.
  */
 #ifndef LeafTable_h
@@ -77,7 +77,7 @@ struct LeafSummary
   std::int32_t ZeroNodes = 0; //< nodes of layer 0
   std::int32_t Crossings = 0;
   bool IsUsed = false;    //< true if a node is in a layer or active
-  bool IsForeign = false; //< true if another rank owns it
+  bool IsForeign = false; //< true if another rank owns the leaf
 };
 
 struct BandLeaf

@@ -11,8 +11,7 @@
 namespace activesurface
 {
 
-/** 512 numbers per leaf, in blocks of 64 KiB, small enough for memory of the heap that was freed
- * before. */
+/** 512 numbers per leaf, in blocks of 64 KiB: for so small blocks the heap reuses freed memory. */
 class NodeArrays
 {
 public:

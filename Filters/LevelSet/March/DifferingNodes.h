@@ -80,7 +80,7 @@ public:
    * otherwise None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);
 
-  /** Returns u at a node [voxels], clamped to the spacing of the lattice. */
+  /** Returns u at a node [voxels], clamped to +-GetStride(). */
   double PotentialAt(const openvdb::Coord& place) const;
   bool IsInside(const openvdb::Coord& place) const { return this->PotentialAt(place) < 0.0; }
 

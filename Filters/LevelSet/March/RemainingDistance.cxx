@@ -20,7 +20,8 @@ namespace activesurface
 namespace
 {
 
-/** Fast marching: lowers the values at the nodes to a(x) = min over y of a(y) + d(x,y). */
+/** Fast marching: lowers the values a at the nodes to min over y of a(y) + d(x,y), where d(x,y) is
+ * the distance between the nodes x and y. */
 class Marching
 {
 public:
@@ -42,9 +43,9 @@ public:
     this->Run(values, [](std::int32_t, Front&) {});
   }
 
-  /** Runs the march with exact distances around cores, where paths begin in all directions: the
-   * eikonal equation is inaccurate there. Returns y for each x; see RemainingDistance.h for x and
-   * y. */
+  /** Runs the march with exact distances around cores, where paths end from all directions: the
+   * eikonal update is inaccurate there. Returns, for each node x, its y; see RemainingDistance.h.
+   */
   std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
     return this->Run(values,
@@ -187,7 +188,8 @@ private:
   std::vector<std::array<std::int32_t, 6>> Neighbours;
 };
 
-/** Distances from the surface at nodes with a neighbour on the other side; infinite elsewhere. */
+/** Distances [length] from the surface at nodes that have a neighbour on the other side of the
+ * surface; infinite at other nodes. */
 std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, double voxelSize)
 {
   std::vector<double> distances(nodes.Size(), std::numeric_limits<double>::infinity());
@@ -206,9 +208,9 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** gain: T(y) - T(x); detour: d(x,y) - gain. Returns `detour` if detour <= 0.1 gain: x is then on a
- * bump of the surface. Returns 0 if detour >= 0.3 gain: x is then beside the path. The transition
- * between the two limits is smooth. */
+/** gain: T(y) - T(x); detour: d(x,y) - gain; see RemainingDistance.h. Returns `detour` if detour <=
+ * 0.1 gain: x is then on a bump of the surface. Returns 0 if detour >= 0.3 gain: x is then beside
+ * the path. The transition between the two limits is smooth. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain

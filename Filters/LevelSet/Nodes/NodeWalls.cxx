@@ -63,7 +63,8 @@ float ShiftToWall(float between, float cosine, float gap)
   return share * share * (3.f - 2.f * share) * std::max(shift, 0.f);
 }
 
-/** Lowers the numbers of a leaf's nodes near a wall, so that the surface rests on the wall. */
+/** Lowers the potential `numbers` at a leaf's nodes near a wall, so that a surface that faces the
+ * wall rests on the wall. */
 void RestOnWall(const WallSide& side, float gap, const NodeIndex& origin,
   const NodeBlock<1>& potential, float* numbers)
 {
@@ -149,8 +150,9 @@ bool NodeStep::IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const
     DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
 }
 
-/** Shifts a surface that is near a wall onto the wall, where the surface is then flat. The sides of
- * a periodic box do not count as walls. gap: NodeTarget::GetWallGap. Overwrites Psi. */
+/** Shifts a surface that is near a wall, and faces the wall, onto the wall, where the surface is
+ * then flat. The sides of a periodic box do not count as walls. gap: NodeTarget::GetWallGap.
+ * Overwrites Psi. */
 void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap)
 {
   if (!motion.Box.Present || !(gap > 0.f))

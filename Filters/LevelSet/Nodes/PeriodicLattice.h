@@ -68,8 +68,9 @@ public:
   }
 
 private:
-  /** Returns the repeated coordinate. Coordinates within 1e-6 of a side or a node count as on the
-   * side or the node. */
+  /** Returns the coordinate [voxels] that a node beyond a side repeats, or the node's own
+   * coordinate. Coordinates within 1e-6 voxel of a side or a node count as on the side or the node.
+   */
   double Wrap(int axis, int node) const
   {
     constexpr double rounding = 1e-6;

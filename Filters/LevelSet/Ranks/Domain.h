@@ -29,7 +29,8 @@ struct LeafCost
   double Cost;
 };
 
-/** Returns the node at or below a position; coordinates are clamped to +-10^9. */
+/** Returns the node at or below a position [world units] along each axis; indices are clamped to
+ * +-10^9. */
 inline NodeIndex NodeBelow(const double (&place)[3], double voxelSize)
 {
   constexpr double farthest = 1e9; // node coordinates are 32-bit integers
@@ -63,7 +64,7 @@ public:
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
   /** Returns the rank that counts the vertices of a leaf. Leaves later in the order of the tree
-   * have the same or a higher rank. Each rank counts about the same number of sampled leaves. */
+   * have the same or a higher rank. */
   int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }

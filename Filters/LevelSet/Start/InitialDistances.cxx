@@ -94,7 +94,7 @@ float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::Float
 
 /** Replaces the distances from fast sweeping at the active nodes of `potential`. The new values are
  * the function's first-order distances, which are smoother, clamped to 0.5 to 1.5 times the swept
- * distances. */
+ * distances. Where F is flat, the swept distances stay. */
 void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
 {
   Leaves leaves(potential);
@@ -112,8 +112,9 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping rejects a function
- * without such a node: it treats smaller magnitudes as zero. largest: the function's maximum. */
+/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping treats smaller
+ * magnitudes as zero, and rejects a function without such a node. largest: the function's maximum.
+ */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;

@@ -75,7 +75,7 @@ private:
 };
 
 /** Throws std::runtime_error if the leaves have more than 40 nodes for each active voxel of the
- * maximum. The inside of a function that is negative everywhere has an infinite number of leaves.
+ * maximum. This error ends the otherwise endless fill of a function that is negative everywhere.
  */
 void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels);
 

@@ -331,7 +331,8 @@ LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
 }
 
 /** Fills each unsampled leaf that has an inside node across one of its faces, leaf after leaf. The
- * surface does not cross an unsampled leaf, so such a leaf is inside. */
+ * surface does not cross an unsampled leaf, so the nodes of such a leaf within the box are inside.
+ */
 void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 {
   for (std::size_t i = 0; i < leaves.Size(); ++i)

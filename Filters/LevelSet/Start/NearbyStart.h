@@ -14,7 +14,8 @@ namespace activesurface
 /**
  * Returns a potential with the same surface as that of MakeInitialPotential, up to rounding. The
  * signs are sampled only in the leaves that the function's regions touch. Leaves outside the
- * regions that are connected with an inside node are filled without evaluations.
+ * regions that are connected with an inside node are filled without evaluations. Returns null if
+ * `progress` cancelled the sampling.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
@@ -23,7 +24,7 @@ openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bound
 /**
  * Returns a potential bitwise identical to that of MakeInitialPotential. The function is sampled
  * only at the nodes near the points, and near those faces of the bounds that meet
- * SurfacePoints::Bounds.
+ * SurfacePoints::Bounds. Returns null if `progress` cancelled the sampling.
  */
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

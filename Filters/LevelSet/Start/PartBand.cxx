@@ -119,7 +119,8 @@ void PartDistances::StartAtCrossings(std::size_t i)
   this->Known[i].ForEach([&](int node) { leaf.Value[node] = this->DistanceToCrossings(i, node); });
 }
 
-/** Distance to the plane through the nearest crossing on each axis, for F linear between nodes. */
+/** Distance [voxels] from a node to the plane through the nearest crossing on each axis, for F
+ * linear between nodes. */
 float PartDistances::DistanceToCrossings(std::size_t i, int node) const
 {
   const BandLeaf& leaf = this->Table[i];

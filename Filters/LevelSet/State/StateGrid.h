@@ -10,7 +10,7 @@ namespace activesurface
 {
 
 /** Throws std::runtime_error if the surface crosses an edge from a leaf to a tile: the band would
- * grow along the whole tile. Also throws if a leaf is beyond 2^30 nodes. */
+ * grow along the whole tile. Also throws if a coordinate of a leaf's origin is beyond +-2^30. */
 void CheckTree(const openvdb::FloatTree& tree);
 
 /** Throws std::runtime_error: the saved state is damaged. */

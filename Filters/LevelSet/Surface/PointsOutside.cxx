@@ -56,8 +56,8 @@ struct VoxelCorners
     return at;
   }
 
-  /** Returns true if a triangle of the skin in this voxel is within the distance of `place`. place:
-   * relative to the lower corner. */
+  /** Returns true if a triangle of the skin in this voxel is within the distance [voxels] of
+   * `place`. place: relative to the lower corner [voxels]. */
   bool HasTriangleWithin(const Vec3d& place, double distance) const
   {
     const VoxelTriangles& triangles = TrianglesOfVoxel(this->Inside);
@@ -106,7 +106,8 @@ public:
   }
 
 private:
-  /** Returns the voxels of the leaves, by their lower corners, within the margin along each axis.
+  /** Returns the voxels of the leaves, by their lower corners, within the margin of `place` along
+   * each axis.
    */
   openvdb::CoordBBox FindVoxels(const Vec3d& place, double margin) const
   {

@@ -3,7 +3,7 @@
  *
  * Each crossed lattice edge has one vertex, where the linear interpolation is zero, but at least
  * max(2^-13, 2 epsilon N) voxel from the nodes. epsilon is the machine epsilon of the coordinates,
- * N the largest magnitude of a node coordinate. Triangles are made voxel by voxel (see
+ * N an upper bound of the magnitudes of node coordinates. Triangles are made voxel by voxel (see
  * CubeTriangles.h). Only the band is visited. Vertices and triangles are written in the order of
  * the leaves, so equal potentials give bitwise identical skins.
  */
@@ -45,7 +45,7 @@ public:
   std::vector<std::int64_t> NumberVertices() const;
 
   /** Returns true if the surface is so far from the origin that single precision would move points
-   * by about a hundredth of a voxel. */
+   * by about a hundredth of a voxel or more. */
   bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }
 
   ///@{

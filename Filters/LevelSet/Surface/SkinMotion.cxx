@@ -161,7 +161,8 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
  * speed is
  *   (D . n - r (psi_e(x + (1 - f) D) - psi_b(x - f D))) / (end - begin):
  * D . n is the motion with the particles, the other term is growth or shrinkage. r is the fraction
- * of a change of psi that the skin follows in a frame; r is small within the target's noise.
+ * of a change of psi that the skin follows in a frame; r is small within the target's noise. If
+ * begin = end, no speeds are added.
  */
 void AddNodeSpeeds(const NarrowBand& band, const SkinForces& forces, std::vector<float>& speeds)
 {
