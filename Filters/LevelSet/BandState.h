@@ -51,8 +51,8 @@ struct BandState
   void MakeEmpty();
   /** Starts an empty surface at a time. bounds: only their size is used. */
   void Reset(double time, const double bounds[6]);
-  /** Replaces the potential. Derives the layers from the signs and, in the paper's scheme, the
-   * active nodes from the layers and the tree's active masks. */
+  /** Replaces the potential. Derives the layers and the active nodes from the signs; in the paper's
+   * scheme, active nodes also depend on the tree's active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential and the layers. Unless Paper, and if HasGhosts, extrapolates the
    * ghosts from the active nodes. */
@@ -90,12 +90,12 @@ struct BandState
   void Confine(const Walls& walls, Obstacle* obstacle);
 
   /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels, or
-   * 12 voxels in the node scheme. */
+   * 12 voxels in the node scheme. Does nothing without an exact control. */
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
 
   /** Sets the surface to the target at the band's time, then applies attraction and tension for
-   * `duration` (with NodeFreedom only tension). */
+   * `duration`. With NodeFreedom, applies only tension, for 6 / Attraction. */
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {

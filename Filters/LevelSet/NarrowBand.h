@@ -130,10 +130,10 @@ public:
     const ProgressFunction& progress = {});
 
   /**
-   * Sets the potential to the target at `time`, then applies attraction and tension for `duration`
-   * (with NodeFreedom only tension, see NodeStages.h): the first frame is then as smooth as the
-   * following frames. Target::GetNodes must not be null. bounds: only their size is used. Throws
-   * like Advance, and for the same bounds as Start.
+   * Sets the potential to the target at `time`, then applies attraction and tension for `duration`:
+   * the first frame is then as smooth as the following frames. With NodeFreedom, applies only
+   * tension, for 6 / Attraction. Target::GetNodes must not be null. bounds: only their size is
+   * used. Throws like Advance, and for the same bounds as Start.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);
@@ -163,11 +163,12 @@ public:
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
   /**
-   * Makes explicit substeps until the surface is steady (IsSteady in the report), or until the
-   * maximum of substeps. A surface is steady if its normal speed at the sample points, from all
-   * terms, is within the tolerance, or, unless the tolerance is 0, if the surface only oscillates
-   * (Displacement.h). No surface is steady after a substep that created parts. The time of the
-   * surface advances. Throws like Advance; std::invalid_argument if the tolerance is not >= 0.
+   * Makes explicit substeps until the surface is steady (IsSteady in the report) or has vanished,
+   * `progress` cancels, or the maximum of substeps is reached. A surface is steady if its normal
+   * speed at the sample points, from all terms, is within the tolerance, or, unless the tolerance
+   * is 0, if the surface only oscillates (Displacement.h). No surface is steady after a substep
+   * that created parts. The time of the surface advances. Throws like Advance;
+   * std::invalid_argument if the tolerance is not >= 0.
    */
   AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
     Target& target, const ProgressFunction& progress = {});

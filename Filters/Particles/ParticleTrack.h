@@ -26,8 +26,9 @@ class VTKACTIVEPARTICLES_EXPORT ParticleTrack final : public NodeParticles
 {
 public:
   // The caller owns the frames. later and matches may both be null. Throws std::invalid_argument if
-  // the box is shorter than a quarter of this margin. For a track that begins at the later of two
-  // steps, exchange the frames, invert the matches, and set a duration < 0.
+  // a side of the periodic box is shorter than a quarter of PeriodicBox::GetMargin. For a track
+  // that begins at the later of two steps, exchange the frames, invert the matches, and set a
+  // duration < 0.
   ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
     std::shared_ptr<const ParticleMatches> matches, const PeriodicBox& box, double fraction);
 
@@ -50,8 +51,8 @@ public:
   // FindVelocity returns false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
-  // Returns x y z for each particle, NaN where unknown: the velocities of the frames if one of them
-  // has velocities, otherwise those of FindVelocity.
+  // Returns the velocity x y z of each particle, NaN where unknown: interpolated from the frames if
+  // a frame has velocities, otherwise by FindVelocity.
   std::vector<double> ListVelocities() const;
 
   // Interpolates a value linearly; a particle in only one step keeps the value of that step.

@@ -26,7 +26,7 @@ struct ControlledBand
   const Walls& Box;
   Obstacle* Solid; //< may be null
   double VoxelSize;
-  int Rounds = 1; //< 1 after an explicit substep; factor of the limits of RestoreVolume
+  int Rounds = 1; //< factor of limits: 1 for explicit substeps, 8 for the node scheme
 };
 
 /** Moves the surface until the relative error of the volume [voxels^3] is at most 1e-9. Ends

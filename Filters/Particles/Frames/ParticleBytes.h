@@ -17,7 +17,7 @@ namespace activesurface
 using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
 
 // Packs the positions, ids, strengths (unless all are 1) and velocities (if HasVelocities) of the
-// chosen particles as bytes. Radii and passed arrays are omitted. Empty if none is chosen.
+// chosen particles as bytes. Radii and passed arrays are omitted. Empty if no particle is chosen.
 VTKACTIVEPARTICLES_EXPORT Bytes PackParticles(
   const ParticleFrame& frame, const ParticleChoice& chosen);
 

@@ -27,8 +27,9 @@ double FindMedian(std::vector<double>& values)
 }
 
 // Point of the median coordinates, and half of the median distance of the particles from this point
-// along the axis where this distance is largest. If the median is 0, the maximum replaces it; 1 if
-// all particles coincide. The distance is halved because full differences may overflow.
+// along the axis where this distance is largest. If this median is 0, half of the largest distance
+// replaces the median, and 1 if all particles coincide. Distances are halved because full
+// differences may overflow.
 struct Middle
 {
   double At[3];

@@ -45,7 +45,7 @@ struct PeriodicBox : Periods
 
   // Returns the first and last offset, in lengths of the box, at which a copy of a particle is in
   // the box or its margin. The first offset is larger than the last if there is no such copy. Both
-  // are 0 along an axis without period.
+  // offsets are 0 along an axis without period.
   std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];

@@ -2,8 +2,8 @@
 // gradient.
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
-// returns W(q) and W'(q)/q as functions of q^2, at most 1. Unlike W', the quotient needs no
-// direction at distance zero.
+// returns W(q) and W'(q)/q as functions of q^2 <= 1. Unlike W', the quotient needs no direction at
+// distance zero.
 
 #ifndef SkeletonKernel_h
 #define SkeletonKernel_h

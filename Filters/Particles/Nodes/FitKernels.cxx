@@ -150,7 +150,7 @@ struct FitKernel
     LaneSums sums;
     this->AddUp(sums);
     const Lanes zero = AllLanes(0.f), one = AllLanes(1.f);
-    // The sum of weights is 0 for a particle without strength and neighbours.
+    // The sum of weights is 0 for a particle that has neither strength nor neighbours.
     const Lanes inverse = one / Pick(sums.Weight > zero, sums.Weight, one);
     Lanes mean[3];
     for (int i = 0; i < 3; ++i)

@@ -95,8 +95,8 @@ void FindGroupFits(const FitLaw& law, const FitGroup& group, const FitNeighbours
 
 struct NodeEllipsoid;
 
-// Sums strength (1 - d^2)^3 over ellipsoids at the group's positions. The neighbours' positions are
-// the centres of the ellipsoids.
+// Sums strength (1 - d^2)^3 over ellipsoids at the group's positions; d: see ParticleNodes.h. The
+// neighbours' positions are the centres of the ellipsoids.
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 

@@ -56,7 +56,8 @@ void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
   this->ShareStrengths();
 }
 
-// Counts the neighbours of a sample of particles, evenly spread over the list.
+// Returns true if a sample of particles, evenly spread over the list, has more than MostNeighbours
+// neighbours on average; false for at most FewParticles particles.
 bool NodeFits::HasTooManyNeighbours() const
 {
   const std::size_t count = this->Blocks->GetOrder().size();

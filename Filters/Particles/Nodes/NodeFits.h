@@ -24,8 +24,8 @@ namespace activesurface
 {
 
 // Up to FewParticles particles may all be neighbours of each other. Larger inputs are refused, or
-// get no bulks (see Find), if the particles have more than MostNeighbours neighbours on average, a
-// hundred times the usual number: visiting all pairs would need hours. The average is over a
+// get bulks of 0 (see Find), if the particles have more than MostNeighbours neighbours on average,
+// a hundred times the usual number: visiting all pairs would need hours. The average is over a
 // sample.
 constexpr std::size_t FewParticles = 30000;
 
@@ -149,8 +149,8 @@ public:
   // ymin ... Returns false if the particle has no ellipsoid.
   bool FindBox(std::uint32_t k, float (&box)[6]) const;
 
-  // For a particle at the edge of a body, finds the vector away from its neighbours, two own radii
-  // long. Returns false for other particles.
+  // For a particle at the edge of a body, finds the vector [voxels] away from its neighbours, two
+  // own radii long. Returns false for other particles.
   bool FindOutward(std::uint32_t k, float (&outward)[3]) const;
 
 private:

@@ -175,8 +175,8 @@ public:
     return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
   }
 
-  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]. block: the
-  // block of the run.
+  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]. block: At
+  // of the run's block.
   template <class Visit>
   void VisitRuns(const double (&low)[3], const double (&high)[3], Visit&& visit) const
   {
