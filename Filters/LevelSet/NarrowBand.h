@@ -79,8 +79,8 @@ public:
   /**
    * Pack returns the state as bytes, lossless (see State/PackedBand.h). Unpack returns the band
    * restored from these bytes. Further motion of the restored band by Advance is bitwise identical
-   * to that of the packed band. The bytes are for this process, not for files, and do not include
-   * GetWork and the limits of threads and active voxels. part: SharePart of the packed band.
+   * to that of the packed band. The bytes are for this process, not for files, and include neither
+   * GetWork nor the limits of threads and active voxels. part: SharePart of the packed band.
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(
@@ -110,10 +110,10 @@ public:
   void SetNumberOfThreads(int threads);
 
   /**
-   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
-   * would have more active nodes, or if Start would sample too many nodes. Advance throws if the
-   * band has more active nodes at the beginning or after a substep, or would have more after new
-   * parts or a frame of the node scheme.
+   * Largest number of active nodes, which limits the memory. Start throws std::runtime_error and
+   * leaves an empty surface if the band would have more active nodes, or if Start would sample too
+   * many nodes. StartOnNodes and Advance throw if the band has more active nodes at the beginning
+   * or after a substep, or would have more after new parts or a frame of the node scheme.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 

@@ -101,8 +101,8 @@ struct Motion
   ///@}
 
   ///@{
-  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere of the initial radius
-   * r0, moved only by tension and one penalty, keeps a deficit e:
+  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere moved only by tension
+   * and one penalty keeps a deficit e; r0 is its radius without deficit:
    *   volume: e = 1 - B/B0, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0),
    *   area:   e = 1 - A/A0, e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0).
    * The sphere collapses if VolumeStiffness r0 < 4.233 Tension, or AreaStiffness r0 < 5.196
@@ -140,8 +140,8 @@ struct Motion
   Obstacle* Solid = nullptr;
 
   /** If true, explicit substeps search the target's regions. Parts of the target that no skin
-   * reaches, and hollows deep inside the skin, then get a skin. The paper's scheme, and motions
-   * without Attraction, do not search. The node scheme needs no search. */
+   * reaches, and hollows deep inside the skin, then get a skin. Invalid with Paper; no effect
+   * without Attraction, or with TimeIntegration::Nodes, which needs no search. */
   bool CreateParts = false;
 };
 

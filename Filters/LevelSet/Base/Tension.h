@@ -71,9 +71,9 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
   }
 }
 
-/** kappa |grad u| by differences with nodes S nodes away, clamped to +-1; 0 where |grad u| <= 0.01.
- * kappa: as in AddTension. c: a row of eight nodes; X1, Y1: distances in memory of neighbours along
- * x and y. */
+/** kappa |grad u| by differences with the neighbours S nodes away, clamped to +-1; 0 where |grad u|
+ * <= 0.01. kappa: as in AddTension. c: a row of eight nodes; X1, Y1: distances in memory of
+ * neighbours along x and y. */
 template <int X1, int Y1, int S>
 ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
 {

@@ -71,9 +71,10 @@ public:
   void Observe(const LeafTable& table, double time, double attraction);
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
-   * window. Either the moved fraction of the surface was at most FewMoving, and at least half of
-   * the moved fraction in the window before. Or the mean displacement was at most 0.25 voxel, and
-   * 0.5 to 1.25 times the average of the mean displacements in the two windows before. */
+   * window. Either the moved fraction of the surface was at most SteadyStateCriterion::FewMoving,
+   * and at least half of the moved fraction in the window before. Or the mean displacement was at
+   * most 0.25 voxel, and 0.5 to 1.25 times the average of the mean displacements in the two windows
+   * before. */
   bool IsSteady() const { return this->Steady; }
 
   /** Fraction of the sample points that moved farther than SteadyStateCriterion::Still in the last

@@ -30,8 +30,8 @@ struct ControlledBand
 };
 
 /** Moves the surface until the relative error of the volume [voxels^3] is at most 1e-9. Ends
- * earlier after 1.5 Rounds voxels, after 8 Rounds displacements, or if displacements hardly change
- * the volume. */
+ * earlier after 1.5 * Rounds voxels, after 8 * Rounds displacements, if displacements hardly change
+ * the volume, or if the surface vanishes. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** Like RestoreVolume, for the area [voxels^2]. The gain of area per displacement may have either

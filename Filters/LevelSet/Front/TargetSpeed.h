@@ -29,8 +29,8 @@ struct SubstepBuffers;
 void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** Extends the speed to the active nodes without samples in the affected leaves. Does nothing in
- * the paper's scheme, or unless SamplesCrossings. */
+/** Extends the speed to the active nodes without samples in the affected leaves. Only with
+ * TargetEvaluation::Shifted, and not in the paper's scheme. */
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 

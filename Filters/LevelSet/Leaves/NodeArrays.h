@@ -11,7 +11,8 @@
 namespace activesurface
 {
 
-/** 512 numbers per leaf, in blocks of 64 KiB: for so small blocks the heap reuses freed memory. */
+/** 512 numbers per leaf, in blocks of 64 KiB: the heap reuses freed memory for blocks of this size.
+ */
 class NodeArrays
 {
 public:

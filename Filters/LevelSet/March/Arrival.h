@@ -5,8 +5,8 @@
  * The speed at a point of the surface is the remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
  * distance along the part (March/RemainingDistance.h), so that thin limbs grow evenly too. The
- * Attraction is constant in each of 24 intervals, and chosen so that the distances have fallen as
- * required at the end of each interval.
+ * Attraction is constant in each of 24 intervals, and chosen so that the distances have fallen in
+ * proportion to the remaining time at the end of each interval but the last.
  */
 #ifndef Arrival_h
 #define Arrival_h

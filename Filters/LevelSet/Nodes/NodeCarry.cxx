@@ -202,7 +202,7 @@ private:
   }
 
   /** Returns t (1 - t) / 2 times the second difference along an axis, interpolated between the ends
-   * of the edge nearest to the foot. */
+   * of the edge nearest to the foot (see FeetKernel). */
   ACTIVE_ALWAYS_INLINE Lanes Curve(const int* at, int stride, const Lanes& t) const
   {
     const Lanes before = this->Get(at, -stride), a = this->Get(at, 0);

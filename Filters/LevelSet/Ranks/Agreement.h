@@ -93,7 +93,7 @@ public:
    */
   bool GoOn(bool own) const;
 
-  /** A rank that failed calls this in place of the operation that the other ranks call. Throws
+  /** A rank that has failed calls Fail in place of the operation that the other ranks call. Throws
    * RankError on all ranks, with the message of the lowest rank that failed. The number of that
    * rank precedes the message, unless all ranks have failed with the same message, or that rank has
    * called FailForMemory. */

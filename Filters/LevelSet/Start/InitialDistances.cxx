@@ -261,7 +261,7 @@ openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFun
   }
   openvdb::tools::signedFloodFillWithValues(*tree, Far, -Far);
   // Distances replace the function of a slab only after the next slab has copied the function in
-  // the margin.
+  // its own margin.
   std::unique_ptr<SweptSlab> before;
   for (const Slab& slab : FindSlabs(*tree))
   {

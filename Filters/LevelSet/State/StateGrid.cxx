@@ -99,8 +99,8 @@ StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid)
 namespace
 {
 
-/** Returns true if an origin is beyond 2^30 nodes. No surface gets so far, and coordinates of
- * neighbours would overflow. */
+/** Returns true if a coordinate of an origin is beyond +-2^30 nodes. No surface gets so far, and
+ * coordinates of neighbours would overflow. */
 bool IsTooFar(const openvdb::Coord& origin)
 {
   constexpr int farthest = 1 << 30;

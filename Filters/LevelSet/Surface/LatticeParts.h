@@ -16,9 +16,9 @@ namespace activesurface
 struct LatticeShape;
 
 /**
- * Nodes of one side are connected along edges. Outside nodes that are connected with the
- * background, the unbounded outside, are not in a hollow. The constructor searches leaves and
- * tiles. The cost is proportional to the surface.
+ * Two nodes on the same side are in one part or hollow if nodes on that side connect them along
+ * edges. Outside nodes that are connected with the background, the unbounded outside, are not in a
+ * hollow. The constructor searches leaves and tiles. The cost is proportional to the surface.
  */
 class ACTIVELEVELSET_EXPORT LatticeParts
 {

@@ -12,8 +12,9 @@ namespace activesurface
 namespace
 {
 
-// Deep grows from 0 to 1 between these distances to the mean of the neighbours [radii of the
-// neighbourhood]. The distance is 0.24 in a deep body's flat surface layer, below 0.1 inside.
+// Deep (GroupFits) grows from 0 to 1 between these distances to the mean of the neighbours [radii
+// of the neighbourhood]. The distance is 0.24 in a deep body's flat surface layer, below 0.1
+// inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
@@ -21,8 +22,9 @@ constexpr float FullDepth = .22f;
 // for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
-// Bulk grows from 0 to 1 between these densities of neighbours [particles per (2 own radii)^3]. The
-// density is 0.28 in a one-layer sheet, 0.63 in a deep body's outermost layer, 0.87 in the next.
+// Bulk (GroupFits) grows from 0 to 1 between these densities of neighbours [particles per (2 own
+// radii)^3]. The density is 0.28 in a one-layer sheet, 0.63 in a deep body's outermost layer, 0.87
+// in the next.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
@@ -32,8 +34,8 @@ constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
 // Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
-// including the particle's own (1), decides whether the neighbourhood has a shape: two neighbours
-// make 2.1, a sheet of one layer 4.2, a body's surface 5.8.
+// including the particle's own (1), sets the weight Shape of the ellipsoid (GroupFits): two
+// neighbours make 2.1, a sheet of one layer 4.2, a body's surface 5.8.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
@@ -41,9 +43,10 @@ constexpr float EnoughNeighbours = 4.2f;
 // Displacement of an ellipsoid's centre / (Shape * distance to the mean of the neighbours).
 constexpr float ShareOfMean = .9f;
 
-// Thin falls from 1 to 0 between the ratios of each line. Shortest half-axis / middle half-axis: 0
-// in a sheet of one layer, about 1 in a body. Longest half-axis / neighbourhood's radius: 0 for
-// coincident particles, 0.15 for a pair, 0.33 in a body. The larger result counts.
+// Thin (GroupFits) falls from 1 to 0 between the two ratios of a line. First line, shortest /
+// middle half-axis: 0 in a sheet of one layer, about 1 in a body. Second line, longest half-axis /
+// neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body. The larger
+// of both results counts.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;
 

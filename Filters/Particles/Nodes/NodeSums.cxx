@@ -59,8 +59,8 @@ private:
     }
   }
 
-  // In each plane x, finds the coefficients of q = d^2 = a + z (2 b + m z) for all eight rows at
-  // once, and the rows where the minimum of q is below 1.
+  // In each plane x, finds the coefficients of q = d^2 = a + z (2 b + m z), with m the entry zz of
+  // Metric, for all eight rows at once, and the rows where the minimum of q is below 1.
   ACTIVE_ALWAYS_INLINE void AddOne(const NodeEllipsoid& e, const float (&c)[3]) const
   {
     const float* m = e.Metric;
