@@ -85,7 +85,7 @@ public:
   virtual bool IsInside(const NodeIndex& node) const = 0;
 
   /** Writes a potential at the nodes of a leaf's Rows: negative inside, 0 at the target's surface,
-   * nearly linear across the surface, 1 far from the target. Thread-safe. */
+   * nearly linear across the surface, 1 far outside the target. Thread-safe. */
   virtual void EvaluateLeaf(const ShellLeaf& leaf, float* values) const = 0;
 
   /** Writes the motion of the target in a leaf. Thread-safe. */
