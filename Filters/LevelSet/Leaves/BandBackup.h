@@ -1,5 +1,6 @@
 /**
- * A copy of a band before a substep, to restore the band if an error interrupts the substep.
+ * A copy of a band before new parts are created, to restore the band if an error interrupts the
+ * substep.
  */
 #ifndef BandBackup_h
 #define BandBackup_h

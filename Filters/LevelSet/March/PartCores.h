@@ -1,5 +1,5 @@
 /**
- * Cores of parts and voids of the target into which the surface would not grow. From each core a
+ * Cores of parts and hollows of the target into which the surface would not grow. From each core a
  * surface grows to the target.
  */
 #ifndef PartCores_h
@@ -12,7 +12,8 @@
 namespace activesurface
 {
 
-/** A ball at the deepest point of a part (inside the target) or of a void (outside the target). */
+/** A ball at the deepest point of a part (inside the target) or of a hollow (outside the target).
+ */
 struct PartCore
 {
   std::array<double, 3> Centre; //< [world units]
@@ -20,9 +21,10 @@ struct PartCore
   bool IsHollow;
 };
 
-/** Returns a core for each part or void that the surface does not reach, or meets only in a region
- * too thin to grow from. Parts and voids are those that the target reports, and those found on a
- * lattice of at most 64 cells along an axis. Returns no cores if too many nodes differ. */
+/** Returns a core for each part or hollow that the surface does not reach, or meets only in a
+ * region too thin to grow from. Parts and hollows are those that the target reports, and those
+ * found on a lattice of at most 64 cells along an axis. Returns no cores if too many nodes differ.
+ */
 std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
 
 /** A target that consists only of the cores. */

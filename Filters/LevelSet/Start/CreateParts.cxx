@@ -29,7 +29,7 @@ InitialFunction ValuesOf(const Target& target)
   return function;
 }
 
-/** A band of only the new parts, or only the new voids. */
+/** A band of only the new parts, or only the new hollows. */
 struct NewBand
 {
   bool AreHollows;
@@ -45,7 +45,7 @@ struct NewBand
   std::size_t CountActive() const { return this->Band ? this->Band->CountActive() : 0; }
 };
 
-/** Computes the union of the body and a part, or the difference of the body and a void. A union
+/** Computes the union of the body and a part, or the difference of the body and a hollow. A union
  * changes only outside nodes, a difference only inside nodes. */
 void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
 {
@@ -62,7 +62,7 @@ void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
   }
 }
 
-/** Converts leaves entirely inside the new parts or voids to tiles of the other sign. */
+/** Converts leaves entirely inside the new parts or hollows to tiles of the other sign. */
 void JoinTiles(const NewBand& added, PotentialTree& tree)
 {
   for (std::size_t i = 0; i < added.Nodes.Size(); ++i)

@@ -26,9 +26,9 @@ struct GrowingBand
 };
 
 /**
- * Creates the target's new parts and voids. Near a part, u at outside nodes becomes the potential
- * of the union with the part. Near a void, u at inside nodes becomes the potential of the
- * difference. Returns true if any part or void was created. The active set then consists of the
+ * Creates the target's new parts and hollows. Near a part, u at outside nodes becomes the potential
+ * of the union with the part. Near a hollow, u at inside nodes becomes the potential of the
+ * difference. Returns true if any part or hollow was created. The active set then consists of the
  * changed leaves, whose layers and ghosts the caller has to rebuild. Adds the numbers of created
  * parts and of evaluations to the report. Throws std::runtime_error, and changes nothing, if the
  * band would exceed its maximum of active voxels.

@@ -116,8 +116,8 @@ void NewParts::AddNext(std::size_t begin, std::size_t end)
   }
 }
 
-/** Removes voids without a node whose six neighbours, `steps` nodes away along the axes, are in the
- * void. */
+/** Removes hollows without a node whose six neighbours, `steps` nodes away along the axes, are in
+ * the hollow. */
 void NewParts::RemoveNarrowHollows(int steps)
 {
   std::vector<LeafMask> kept(this->Nodes.Size());

@@ -1,14 +1,14 @@
 /**
- * Finds parts of the target that the skin does not reach, and voids of the target deep inside the
+ * Finds parts of the target that the skin does not reach, and hollows of the target deep inside the
  * skin.
  *
  * Nodes where the signs of the target and of the potential differ are called differing. The skin
  * will reach a differing node if edges between differing nodes connect this node with layer 0,
- * where the sample points of the skin are. All other differing nodes form the new parts and voids;
- * Attraction moves the skin away from these nodes. The search follows connected nodes, from the
- * target's regions, and from parts of the input shapes that the skin does not meet at all. Voids,
- * and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the lattice
- * would remove narrow parts, and the search would find these parts again.
+ * where the sample points of the skin are. All other differing nodes form the new parts and
+ * hollows; Attraction moves the skin away from these nodes. The search follows connected nodes,
+ * from the target's regions, and from parts of the input shapes that the skin does not meet at all.
+ * Hollows, and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the
+ * lattice would remove narrow parts, and the search would find these parts again.
  */
 #ifndef NewParts_h
 #define NewParts_h
@@ -34,7 +34,7 @@ public:
    */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
 
-  /** Number of new parts and voids: sets of nodes connected along edges. A part that contains no
+  /** Number of new parts and hollows: sets of nodes connected along edges. A part that contains no
    * node is not counted. */
   std::size_t Count() const;
 

@@ -1,6 +1,6 @@
 /**
  * Finds leaves from which the search for new parts starts: leaves that may contain a node of a new
- * part or void.
+ * part or hollow.
  */
 #ifndef PartSeeds_h
 #define PartSeeds_h
@@ -25,7 +25,7 @@ struct PartSearch
   double VoxelSize;
   const LatticeFunction& Target;
   std::size_t MaximumNumberOfActiveVoxels;
-  double LeastRadius; //< of a void, or part of a shape, that survives Tension [length]
+  double LeastRadius; //< of a hollow, or part of a shape, that survives Tension [length]
 
   /** Returns LeastRadius in voxels, rounded up, at least 1. */
   int GetLeastSteps() const;
