@@ -22,8 +22,8 @@
  * @par Input 0 (optional): target
  * - No input: TargetFunction is the target.
  * - Particles: a vtkPointSet without cells or with vertices. All finite points are used.
- *   ParticleSpacing, the main property, sets a particle's own radius r (half of the spacing) and
- *   kernel radius, unless radii are chosen, and an automatic VoxelSize (r) and TargetReach (6 r).
+ *   ParticleSpacing, the main property, is 2 r, where r is the own radius of particles without an
+ *   array of radii. Automatic values of KernelRadius, VoxelSize (r) and TargetReach (6 r) follow.
  * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
@@ -67,7 +67,7 @@
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
  * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
- *   unset, the extent may be empty before the first update, unless connected on one process.
+ *   unset, the extent may be empty before the first update on several ranks or if not connected.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far (EQUILIBRIUM: start and end)
  *   | Column              | Unit          | Meaning                           |
@@ -83,12 +83,12 @@
  *   | Outside             | 1             | fraction of the target            |
  *   | Event               |               | changes, joined by ", "           |
  *
- * - Outside: fraction of the target outside the skin, 0 to 1. Points of particles and skeletons
- *   count if outside by more than their own radius. Over other targets, points spread over the
- *   inside (of a function, or with InvertTarget: within ModelBounds) count if more than a voxel
- *   outside. A fraction of 1 % has a standard error of at most 0.16 % if the target fills at least
- *   1/16 of its box. Points beyond walls or in the obstacle are ignored. A value above 1 %, not
- *   below the previous row's, can cause one warning.
+ * - Outside: fraction of the target outside the skin, 0 to 1. Particles and points of skeletons, of
+ *   strength > 0, count if outside by more than their own radius. Over other targets, points spread
+ *   over the inside (of a function, or with InvertTarget: within ModelBounds) count if more than a
+ *   voxel outside. A fraction of 1 % has a standard error of at most 0.16 % if the target fills at
+ *   least 1/16 of its box. Points beyond walls or in the obstacle are ignored. A value above 1 %,
+ *   not below the previous row's, can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -96,9 +96,9 @@
  * @par Time
  * - The time steps of the input are published, or StartTime + i * TimeStepSize if the input has
  *   fewer than two (TargetFunction, static particles); none with EQUILIBRIUM or Advance.
- * - The surface starts at the first time step. A later time continues from the current state, and
- *   reads the input once for each step in between. A repeated time keeps the skin. An earlier time
- *   continues from the last checkpoint up to that time (CheckpointInterval) or the start.
+ * - The surface starts at the first time step. A later time continues from the current state,
+ *   through each step in between. A repeated time keeps the skin. An earlier time continues from
+ *   the last checkpoint up to that time (CheckpointInterval) or the start.
  * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
  * - The motion restarts when target, initial shape, obstacle or a property of the motion changes,
@@ -201,9 +201,9 @@ public:
   ///@}
 
   ///@{
-  /** Distance [length] from the target beyond which the attraction is constant: the largest speed
-   * is Attraction * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3
-   * ParticleSpacing if VoxelSize would use it, else 1/8 of ModelBounds' diagonal. Default: -1. */
+  /** Distance [length] from the target beyond which the attraction has a constant speed, Attraction
+   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing (set, or
+   * estimated as for VoxelSize), else 1/8 of ModelBounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -240,9 +240,9 @@ public:
   /** Usual distance of neighbouring particles [length]: the side of the cube that a particle fills.
    * Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third nearest,
    * with an array of radii at most the median diameter. A warning reports the spacing if neither
-   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last time
-   * step. Steps with less than a tenth of another's particles are ignored. With Advance, or if the
-   * input cannot go back in time, only the first step with particles counts. Default: -1. */
+   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last step,
+   * except steps with less than a tenth of another's particles. With Advance, or if the input
+   * cannot go back in time, only the first step with particles counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -303,11 +303,11 @@ public:
   // @name Resolution
 
   ///@{
-  /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
-   * at multiples of VoxelSize. Half the size needs 4 times the memory, 2 to 4 times the time, in
-   * explicit substeps 8 (with Tension 16). Range: 1e-30 to 1e30, or -1, automatic: ParticleSpacing
-   * / 2 if set, or (without SUM and ModelBounds) estimated, else 1/64 of ModelBounds' longest side
-   * (S); over images without ModelBounds a smaller pixel, down to S / 1000. Default: -1. */
+  /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Half the
+   * size needs 4 times the memory, 2 to 4 times the time, in explicit substeps 8 (with Tension 16).
+   * Range: 1e-30 to 1e30, or -1, automatic: ParticleSpacing / 2 if set or, with neither SUM nor
+   * ModelBounds, if estimated; else S / 64, where S is ModelBounds' longest side (set or default).
+   * Images without ModelBounds: the pixel's side if smaller, at least S / 1000. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
@@ -315,9 +315,9 @@ public:
   ///@{
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
    * which the potential's image covers. The skin may leave the box later. Range: finite, min < max
-   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first target and
-   * the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential), enlarged at each end by
-   * an eighth of its longest side, with images by two voxels. */
+   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the target at the
+   * first step and of the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential),
+   * enlarged at each end by an eighth of its longest side, images by two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -334,10 +334,10 @@ public:
   // @name Motion
 
   ///@{
-  /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in a
-   * time of 1 / Attraction. With NormalizeTarget off the unit is [length/time] per unit of the
-   * target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time steps), leaving 1/400
-   * of a distance; 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
+  /** Rate [1/time] of approach to the target: between TargetNoise and TargetReach the distance
+   * falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time] per
+   * unit of the target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time steps); 1
+   * if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
@@ -376,7 +376,7 @@ public:
    * skin of a fluid in a steady state is smooth, does not move, and is at most about this distance
    * from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over
    * particles of spacing 2 r, 0.47 of a pixel's shortest side over masks; else 0; also 0 in
-   * explicit substeps, and with SUM. Default: -1. */
+   * explicit substeps, and over particles with SUM. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
@@ -517,11 +517,11 @@ public:
 
   ///@{
   /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control, but AUTOMATIC
-   * integration keeps masks' volume (without BoundedDomain and obstacle). PENALTY (1): a speed in
-   * proportion to the missing fraction e. In a ball of radius r0 without a target e (1 - e)^(1/3) =
-   * 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 < 4.233 Tension.
-   * EXACT (2): a uniform displacement after each substep restores the volume within 1e-6
-   * (relative), through splits 1e-5, at 3 times the cost. Default: NONE. */
+   * integration keeps masks' volume (with neither BoundedDomain, obstacle nor AreaControl). PENALTY
+   * (1): a speed in proportion to the missing fraction e. In a ball of radius r0 without a target e
+   * (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 <
+   * 4.233 Tension. EXACT (2): a uniform displacement after each substep restores the volume within
+   * 1e-6 (relative), through splits 1e-5, at 3 times the cost. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -537,7 +537,7 @@ public:
   ///@}
 
   ///@{
-  /** Volume [length^3] that VolumeControl conserves, with EXACT from the first frame on. Range:
+  /** Volume [length^3] that VolumeControl aims at; EXACT holds it from the first frame on. Range:
    * >= 0; 0 is the volume at the start. Default: 0. */
   vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetVolume, double);
@@ -562,8 +562,8 @@ public:
   ///@}
 
   ///@{
-  /** Area [length^2] that AreaControl conserves, with EXACT from the first frame on. Range: >= 0; 0
-   * is the area at the start. Default: 0. */
+  /** Area [length^2] that AreaControl aims at; EXACT holds it from the first frame on. Range: >= 0;
+   * 0 is the area at the start. Default: 0. */
   vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetArea, double);
   ///@}
@@ -588,8 +588,8 @@ public:
   ///@}
 
   ///@{
-  /** First time step [pipeline time] if the input has at most one. Equal consecutive time steps of
-   * the input count as one. Range: finite. Default: 0. */
+  /** First time step [pipeline time] if the input has at most one, and of Advance. Equal
+   * consecutive time steps of the input count as one. Range: finite. Default: 0. */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
@@ -629,9 +629,9 @@ public:
   /** Adds the tangential component to "Velocity", so that the array is the skin's whole motion, as
    * motion blur needs. The component is the particles' velocity, averaged with the kernels'
    * weights. Velocities are from the array that SetInputArrayToProcess(5, ...) chooses, else from
-   * the displacement since the previous step (at the first step, to the next). Particles with
-   * neither are ignored. The component is 0 if no particle has a velocity, and for other targets.
-   * Off: only the normal velocity. Does not restart the motion. Default: on. */
+   * the displacement since the previous step (at the first step and between steps, to the next).
+   * Particles with neither are ignored. The component is 0 if no particle has a velocity, and for
+   * other targets. Off: only the normal velocity. Does not restart the motion. Default: on. */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);
   vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
@@ -640,10 +640,10 @@ public:
   ///@{
   /** Largest length [length/time] of the vectors of "Velocity". Longer vectors lose part of their
    * normal component first. Skin that catches up, as where parts merge, moves at up to Attraction *
-   * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle from the
-   * previous step to this one (at the first step, to the next): (displacement + change of radius) /
-   * time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no limit if
-   * no particle moves, or for other targets. Does not restart the motion. Default: 0. */
+   * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle since the
+   * previous step (at the first step and between steps, to the next): (displacement + change of
+   * radius) / time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no
+   * limit if no particle moves, or for other targets. Does not restart the motion. Default: 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
