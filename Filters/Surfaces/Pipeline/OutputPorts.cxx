@@ -65,8 +65,7 @@ std::shared_ptr<const AttachedState> GatherState(
 }
 
 // Attaches the time and the surface's state to an output, for file writers. The simulation must be
-// at the requested time. arrays: arrays of the whole skin if `data` has only this rank's part;
-// otherwise null.
+// at the requested time. arrays: result of KeepShare for the skin; null for other outputs.
 void AttachState(const OutputProperties& properties, const SurfaceSimulation& simulation,
   vtkDataObject* data, vtkPointData* arrays)
 {

@@ -249,7 +249,7 @@ void MotionDriver::UseNodes(int step, double attraction, Motion& motion) const
   }
 }
 
-// Conserves the labels' volume, unless there is a control, a wall or an obstacle.
+// In the node scheme, conserves the labels' volume unless there is a control, wall or obstacle.
 void MotionDriver::HoldLabelVolume(int step, double fraction, Motion& motion) const
 {
   const double volume = this->Shapes.FindLabelVolume(step, fraction);

@@ -58,7 +58,8 @@ public:
   }
 
   // Returns the walls: the bounds with BoundedDomain; on periodic axes the sides of the periodic
-  // box, moved outward by `beyond` [length]. Present is false without both.
+  // box, moved outward by `beyond` [length]. Present is false with neither BoundedDomain nor a
+  // periodic axis.
   Walls MakeWalls(double beyond) const;
 
   // Numbers since ResetCounters, including motions that ended in an exception.

@@ -24,11 +24,11 @@ struct PassedArrays
 };
 
 // Adds the particles' arrays to the skin. Floating-point arrays and colours (unsigned char, 3 or 4
-// components; rounded to the nearest integer, halves upwards) are averages with the weights of
-// ParticleWeights; other arrays have the value of the particle of the largest weight. Omits ghost
-// levels, arrays without a name, and arrays whose name an array of the skin has already. Between
-// two steps, omits arrays that one of the steps lacks, or that differ between the steps in type or
-// number of components.
+// components; rounded to the nearest integer, halves upwards) are averages with the weights of the
+// kernels (ParticleWeights, PassedArrays.cxx); other arrays have the value of the particle of the
+// largest weight. Omits ghost levels, arrays without a name, and arrays whose name an array of the
+// skin has already. Between two steps, omits arrays that one of the steps lacks, or that differ
+// between the steps in type or number of components.
 //
 // The skin's array "Velocity" is along `directions` (unit vectors). If the particles have
 // velocities, adds to this array the average velocity without its component along `directions`.

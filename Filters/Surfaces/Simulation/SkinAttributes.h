@@ -43,10 +43,10 @@ struct ArrayFrames
   double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
 };
 
-// Returns the frames at the requested time. If wantsInterval, for particle velocities, returns the
-// frames of the interval before the requested step instead; at the first step, and at a time
-// between steps, of the interval after the step. Returns only the requested frame of a forward-only
-// input if the frame before is not stored.
+// Returns the frames at the requested time. If wantsInterval, as velocities do, returns the frames
+// of the interval before the requested step instead; at the first step, and at a time between
+// steps, of the interval after the step. For a forward-only input whose frame before is not stored,
+// returns only the frame at the requested step. A static target has only frame 0.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 

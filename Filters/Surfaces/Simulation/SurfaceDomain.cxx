@@ -80,7 +80,8 @@ void CheckVoxel(const ChosenVoxel& voxel)
   }
 }
 
-// image: voxel size for images, used without VoxelSize and spacing; 0: a 64th of the longest side.
+// image: voxel size for images, used if neither VoxelSize nor the spacing is > 0; 0: no images, so
+// a 64th of the longest side.
 ChosenVoxel ChooseVoxel(
   const SurfaceSettings& settings, double longest, double particleSpacing, double image)
 {

@@ -161,7 +161,8 @@ int SurfaceSimulation::FindMissingStep() const
   return this->Shapes.Has(step) ? step + 1 : step;
 }
 
-// Finds a frame that the arrays need and that is not stored, as after a return to a checkpoint.
+// Returns the step of a frame that the arrays need and that is not stored, as after a return to a
+// checkpoint; -1: none.
 int SurfaceSimulation::FindMissingStepOfArrays() const
 {
   if (!this->Arrays.Speeds && !this->Arrays.NeedParticles())

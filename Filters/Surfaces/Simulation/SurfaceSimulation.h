@@ -89,7 +89,8 @@ public:
   // after a change of the settings.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
   void SetLimits(const SimulationLimits& limits);
-  // Resets everything if the settings have changed, unless the change only appends time steps.
+  // Resets the simulation if the settings have changed, unless IsLengthenedBy(settings). Keeps a
+  // state loaded since the last call.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
   bool HasBegun() const { return this->Path.HasBegun(); }
@@ -125,7 +126,7 @@ public:
   // Returns the step added last, or 0.
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
-  // Returns true if each of several ranks needs only a part of the next frames.
+  // Returns true if each rank, where there are several, needs only a part of the next frames.
   bool SharesSpace() const
   {
     return this->Settings.CanShareSpace() && this->Shapes.FindSpacing() > 0.0;
@@ -158,8 +159,8 @@ public:
 
   // Advances to the requested time; returns false if `progress` cancelled the motion. Throws
   // std::invalid_argument for invalid settings, and exceptions of NarrowBand and `frames`. An
-  // exception at the start resets everything; a later exception leaves the state of the last
-  // finished substep.
+  // exception at the start resets everything except a loaded state; a later exception leaves the
+  // state of the last finished substep.
   bool Advance(const FrameSource& frames, const ProgressFunction& progress);
 
   // Discards the state, the checkpoints, the history and the frames, but not a loaded state.
@@ -181,15 +182,15 @@ public:
   {
     return this->Whole ? this->Whole : this->Path.Share(this->Requested);
   }
-  // Returns true if the requested time is a step, so that a motion can resume from this state.
-  // False with EvolutionMode EQUILIBRIUM.
+  // Returns true if the requested time is a step, so that a motion can resume from the state at
+  // that time. False with EvolutionMode EQUILIBRIUM.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Returns null if the surface is not at the requested time.
   const NarrowBand* FindSkin() const
   {
     return this->Path.IsAt(this->Requested) ? &this->GetBand() : nullptr;
   }
-  // Returns null if the surface is not at the time of an earlier request.
+  // Returns null if the surface is not at `time`, which an earlier request had.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
     const bool isWhole = this->Whole && time.Time == this->Requested.Time;
@@ -280,14 +281,16 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
-  // Returns the part of a surface that outputs show: within the sides of a periodic box.
+  // Returns the part of a surface that outputs show: within the sides of a periodic box; without a
+  // box the whole surface.
   std::shared_ptr<const NarrowBand> ViewOf(const std::shared_ptr<const NarrowBand>& band) const
   {
     return band && this->Shapes.GetBox().Any() ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
                                                : band;
   }
-  // Returns true if the fraction of the target outside the skin has not decreased since the row
-  // before. The fraction decreases while a skin approaches the target from another initial shape.
+  // Returns true if `outside`, the fraction of the target outside the skin, is not below that of
+  // the row before (row 0: not below 1 with another initial shape, else not below 0). The fraction
+  // decreases while a skin approaches the target.
   bool Loses(std::size_t row, double outside) const
   {
     const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;

@@ -75,8 +75,8 @@ public:
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
   }
-  // Returns true if the node scheme can follow the target in these stored frames: frames with
-  // points are particles, or images of labels with a label in one of them.
+  // Returns true if the settings allow the node scheme and these stored frames have particles, or
+  // labels (FindLabelPixel > 0).
   bool IsOnNodes(int first, int last) const;
   // Returns true if the last frame with points is an image that was smoothed as a label.
   bool MayHaveLabels() const { return this->Kind->GetLabel() != nullptr; }
@@ -101,8 +101,8 @@ public:
 
   // Returns the periodic box of particles, relative to the origin of the shapes.
   PeriodicBox GetBox() const;
-  // Returns the margin of the box [length] for the particles of a step; without particles, the
-  // margin follows from the spacing.
+  // Returns the distance [length] beyond the sides of the periodic box within which the particles
+  // of a step are repeated; without particles, the distance follows from the spacing.
   double FindMargin(int step) const;
 
   // Sets a missing estimate of the spacing to that of a loaded state, whose first frames may not be
@@ -133,7 +133,7 @@ public:
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // Returns a box that contains the inside of the target at a stored step; for a function or an
-  // inverted target, returns the bounds of the domain. Not valid if there is no target.
+  // inverted target, the bounds of the domain. Without a target the box is invalid.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
   // Sets the initial shape from the input of port 1. Throws std::invalid_argument for an unusable
@@ -141,9 +141,9 @@ public:
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
-  // Returns null while the bounds are unknown: before the first frames are added, for functions
-  // without bounds, or if the first frame is empty and HasOwnSizes() is false. Throws
-  // std::invalid_argument for invalid settings.
+  // Returns null while the bounds are unknown: without ModelBounds, before the first frames are
+  // added, for functions without bounds, and for an empty first frame if neither HasOwnSizes() nor
+  // a spacing gives the sizes. Throws std::invalid_argument for invalid settings.
   const SurfaceDomain* FindDomain();
   // Also returns null before the first call of FindDomain.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
@@ -154,13 +154,13 @@ public:
   // other initial shape.
   bool StartsOnNothing() const;
 
-  // Makes a new target, at the frame of a step. Requires FindDomain; precedes GetTarget.
+  // Makes a new target, at the frame of a step. FindDomain must have returned a domain.
   void StartTarget(int step = 0);
   // Prepares the target for evaluation at points.
   void CompleteTarget();
 
-  // Returns the target, made if necessary. UseFramesFrom may replace it; Clear and ForgetTarget
-  // delete it.
+  // Returns the target, made if necessary. UseFramesFrom may replace the target; Clear and
+  // ForgetTarget delete the target.
   PotentialTarget& GetTarget();
   // Selects the kind of the target: that of the frames of a step and the next one.
   void UseFramesFrom(int step);
@@ -175,10 +175,10 @@ public:
   // Returns the target if it is made of frames of the input, otherwise null.
   MovingTarget* GetMovingTarget();
 
-  // Returns a separate target with the same attraction. This target moves from a stored step to the
-  // next one between two motion times. Add and Clear invalidate the separate target, because it
-  // uses the stored frames. hasPoints: the target can be evaluated at points, at the beginning of
-  // the interval.
+  // Returns a separate target with the options of GetTarget(). The separate target moves from a
+  // stored step to the next one between two motion times. Add and Clear invalidate the separate
+  // target, because it uses the stored frames. hasPoints: the target can be evaluated at points, at
+  // the beginning of the interval.
   std::unique_ptr<PotentialTarget> MakeTargetAt(
     int step, double begin, double end, bool hasPoints = true) const;
 

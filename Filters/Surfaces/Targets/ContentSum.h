@@ -10,9 +10,9 @@ class vtkDataSet;
 namespace activesurface
 {
 
-// Sums points, numeric point arrays, the cells of a vtkPolyData except vertices, and the extent,
-// origin and spacing of an image. The result does not depend on the order of the points if there
-// are neither such cells nor an image.
+// Returns a checksum of points, numeric point arrays, the cells of a vtkPolyData except vertices,
+// and the extent, origin and spacing of an image. The result does not depend on the order of the
+// points if there are neither such cells nor an image.
 std::uint64_t SumContent(vtkDataSet* data);
 
 }

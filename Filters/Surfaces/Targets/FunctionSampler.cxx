@@ -21,8 +21,8 @@ namespace activesurface
 namespace
 {
 
-// Returns true for these classes, which do not change when evaluated. Subclasses are excluded,
-// because they have other class names.
+// Returns true for objects of these classes, which evaluation does not change. Subclasses have
+// other names, and are excluded.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
   constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",
@@ -44,7 +44,8 @@ bool HasGradient(vtkImplicitFunction* function)
 using Batch =
   std::function<void(vtkIdType count, const double* points, double* values, double* gradients)>;
 
-// Returns EvaluateBatch for the function's current properties; empty if the class does not have it.
+// Returns EvaluateBatch for the function's current properties; empty for a function of another
+// class.
 template <class Potential>
 Batch FindBatch(vtkImplicitFunction* function)
 {

@@ -43,7 +43,7 @@ protected:
   void MoveBy(const double offset[3]) override;
 
   vtkSmartPointer<vtkDataSet> Data;
-  vtkSmartPointer<vtkImplicitFunction> Function; //< null until it is prepared
+  vtkSmartPointer<vtkImplicitFunction> Function; //< null before Prepare
 };
 
 }

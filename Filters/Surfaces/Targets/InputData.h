@@ -14,8 +14,8 @@ namespace activesurface
 {
 
 /**
- * Point arrays that the user has chosen, by purpose. Each function returns null if no array is
- * chosen, and throws std::invalid_argument if the chosen array is missing.
+ * Point arrays that the user has chosen, by purpose. Each function except FindValues returns null
+ * if no array is chosen. Each throws std::invalid_argument if the chosen array is missing.
  */
 class ChosenArrays
 {

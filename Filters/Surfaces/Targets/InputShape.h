@@ -53,7 +53,7 @@ public:
    */
   void MoveTo(const std::array<double, 3>& origin);
 
-  /** Returns false if there are only points. */
+  /** Returns false for points without any cell, not even a vertex. */
   virtual bool HasCells() const { return true; }
 
   /** Returns true if the other shape may be an empty shape of this kind. */
@@ -63,7 +63,7 @@ public:
   virtual bool CanStart() const { return false; }
 
   /**
-   * Makes radii and functions, and reports ignored data. Call this before all functions below, and
+   * Makes radii and functions, and reports ignored data. Call this when the shape is added, and
    * again when the voxel size is available. Returns a message about defects of usable data, or an
    * empty string. Throws std::runtime_error for unusable data.
    */

@@ -13,9 +13,9 @@ class MovingTarget : public PotentialTarget
 public:
   using PotentialTarget::PotentialTarget;
 
-  // Sets the motion: from this step to the next one between two motion times. Until the next
-  // MoveTo, the target is at this step. The target stays at this step if there is no next step, or
-  // if end = begin.
+  // Sets the motion: from `step` to the next step between two motion times. Until the next MoveTo,
+  // the target is at `step`. The target stays at `step` if the next step is not stored, or if end =
+  // begin.
   void MoveAlong(int step, double begin, double end);
 
   // Call this after MoveAlong if the target is evaluated before the first MoveTo.

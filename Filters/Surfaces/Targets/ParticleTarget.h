@@ -46,8 +46,8 @@ public:
   {
     return static_cast<float>(this->GetOptions().NoiseAtNodes / this->VoxelSize);
   }
-  // Returns half of the particles' spacing [voxels]. No particle fits into a gap between wall and
-  // surface that is narrower than this.
+  // Returns half of the particles' spacing [voxels]: no particle fits into a narrower gap between
+  // wall and surface.
   float GetWallGap() const override
   {
     return static_cast<float>(0.5 * this->GetOptions().Spacing / this->VoxelSize);
@@ -71,7 +71,7 @@ private:
   // Returns the own radius of the particles of a step and the next one [length], or 0 if the
   // particles have radii. Sets the ratio of support radius to own radius.
   double FindOwnRadius(int step, double& reachPerRadius) const;
-  // Value of the sum of kernels at the skin.
+  // Value of the sum of kernels on the target's surface.
   double GetLevel() const { return this->GetOptions().Threshold - this->GetOptions().IsoValue; }
 
   const TargetFrames& Frames;
