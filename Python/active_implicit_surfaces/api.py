@@ -51,7 +51,7 @@ def skin(
     radii : array (n,) or str, optional
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of a point array; particles of weight 0 are ignored.
+        Weight of each particle, or the name of a point array; particles of weight 0 add nothing.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -158,7 +158,7 @@ class frames(Skins):
     surface : vtkActiveImplicitSurface
         The filter, for example for `history`.
     source : TemporalSource
-        The particles or images, with their times.
+        Source of the particles or images; with `probe`, of images of distances.
 
     Examples
     --------
@@ -271,7 +271,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets the spacing of a series if no length is given; warns of lengths that do not fit."""
+    """Sets a spacing if spacing, kernel radius and radii are missing; warns of unfit lengths."""
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):

@@ -123,7 +123,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
-    """Returns the cell: three edges, a flag for each (1: periodic), and the origin, if given."""
+    """Returns the cell, {} if none: edges, a flag for each (1: periodic), and the given origin."""
     if "lattice" not in pairs:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]

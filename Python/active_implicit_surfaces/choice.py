@@ -1,4 +1,4 @@
-"""Selects particles or polygons, or a label of an image: by conditions, labels, size of clusters.
+"""Selects particles or polygons by conditions, labels or size of clusters; or a label of an image.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice

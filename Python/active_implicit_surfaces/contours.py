@@ -56,10 +56,10 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
-    Mask (two values): the mean of the values, inside above; if one value is negative, inside is
-    the value that is rarer at the image's border. Volume fractions (most are 0 or 1): 0.5,
-    inside above. Other images: 0, inside below. If `level` is given, inside is above the level
-    by these rules, or if most values at the image's border are below the level.
+    Mask (two values): the mean of the values, inside above; if one value is negative, inside is the
+    value that is rarer at the image's border. Volume fractions (most are 0 or 1): 0.5, inside
+    above. Other images: 0, inside below. A given `level` is returned unchanged; inside is then
+    above if above by these rules, or if most values at the image's border are below `level`.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)
@@ -70,7 +70,7 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 
 
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
-    """Returns one level for a series, and True if inside is above, by the rule of `usual_level`.
+    """Returns one level for a series, and True if inside is above, by the rules of `usual_level`.
 
     Raises ValueError if the images have several labels, or by this rule no inside.
     """
@@ -98,7 +98,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """Returns the image itself, or level - values if inside is above the level."""
+    """Returns level - values if inside is above; else the image itself, whatever the level."""
     if not above:
         return image
     own, values = _with_point_values(image)
@@ -188,9 +188,9 @@ def _voxel_size(image: Any) -> float:
 
 
 def _on_the_lattice(image: Any) -> tuple[Any, Any]:
-    """Moves the image's points onto nodes of the filter's lattice; returns image and offset.
+    """Moves the image's origin onto a node of the filter's lattice; returns image and offset.
 
-    On nodes the filter uses the image's values without interpolation.
+    With equal spacings all points are then nodes, whose values the filter does not interpolate.
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)

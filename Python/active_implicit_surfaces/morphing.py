@@ -20,10 +20,11 @@ _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step
 
 
 class morph(Skins):
-    """Iterator over the skins between two shapes; the last skin coincides with the second shape.
+    """Iterator over the skins from a first shape to a second shape.
 
     No point correspondence is needed: the surface moves along its normal, splits and merges. Each
-    part moves at constant speed and arrives at the end; parts of only one shape grow or shrink.
+    part moves at constant speed and arrives at the end, unless ``attraction`` is given; parts of
+    only one shape grow or shrink.
 
     Parameters
     ----------

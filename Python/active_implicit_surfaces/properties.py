@@ -54,7 +54,7 @@ class Property:
 
     @property
     def summary(self) -> str:
-        """Returns the first sentence of the comment, and the default, except for objects."""
+        """Returns the first sentence of the comment and, except for objects, the default."""
         if self.kind == "object":
             return self.sentence
         value = self.choices[self.default] if self.kind == "choice" else self.default

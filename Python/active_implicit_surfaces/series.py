@@ -87,7 +87,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points; with `any_order` also the middle and last frames."""
+        """Returns the first frame with points; with `any_order` also later middle and last ones."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1

@@ -154,7 +154,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """Reads the particles of all kinds, with the arrays of all kinds; "array" names the kind."""
+    """Reads the particles of all kinds, with arrays that each kind has; "array" names the kind."""
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")

@@ -151,7 +151,7 @@ def _count_texts(texts: Any) -> str:
 
 
 def _shape_in(path: Path) -> Any:
-    """Returns the mesh or image of a file; None if the file holds particles."""
+    """Returns the mesh or image of a file; None for particles, a .vdb, or another format."""
     is_shape = suffix_of(path) in MESH_SUFFIXES and suffix_of(path) != ".vdb"
     return read_shape(path) if is_shape and not holds_particles(path) else None
 
@@ -190,7 +190,7 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """Counts the points or cells of each label of an image; empty if there are no labels."""
+    """Counts the points or cells of each label except 0; empty if the values are no labels."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:

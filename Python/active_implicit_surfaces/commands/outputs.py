@@ -43,7 +43,7 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields the options of each run: one for each label, with own output names; else one run.
+    """Yields the options of one run per label, with own output names; without labels, of one run.
 
     `find` returns all labels; `default` is the name of the output if no name is given.
     """

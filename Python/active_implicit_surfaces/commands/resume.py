@@ -88,7 +88,9 @@ class Resumption(Sink):
         self._saved = time.monotonic()
 
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
-        """Binds the state to a run; returns the first frame to make, 0 if `is_kept` is False.
+        """Binds the state to a run; returns the first frame to make.
+
+        If `is_kept` is False, removes the saved state and returns 0.
 
         Raises the errors of load(), and OSError if the skin of an earlier frame is missing.
         """
@@ -146,7 +148,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Returns name, size and time of the files of `count` frames; if files may grow, names."""
+        """Returns name, size and mtime of the first `count` files; if files may grow, names."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()
