@@ -271,7 +271,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets a spacing if spacing, kernel radius and radii are missing; warns of unfit lengths."""
+    """Sets a series' estimated spacing if no length or radii are given; warns of unfit lengths."""
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):

@@ -70,7 +70,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
 
 
 def _usual_properties(rows: list[list[str]]) -> str:
-    """Returns the columns of a plain file: symbol (if any), x, y, z, then numbers."""
+    """Returns the Properties of a plain .xyz: symbol (if any), x, y, z, then columns of numbers."""
     width = min(map(len, rows), default=4)
     if width == 3 and all(number(cell) is not None for row in rows for cell in row):
         return "pos:R:3"

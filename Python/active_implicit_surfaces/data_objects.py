@@ -283,7 +283,7 @@ def cell_array(offsets: Any, ids: Any) -> Any:
 
 
 def _mesh(vertices: Any, kinds: list[Any]) -> Any:
-    """Makes a mesh whose polygons are the rows of these arrays of point ids."""
+    """Makes a mesh whose polygons are the rows of `kinds`, a list of arrays of point ids."""
     mesh = vtkPolyData()
     mesh.SetPoints(vtk_points(vertices))
     offsets, numbers = [numpy.zeros(1, dtype=numpy.int64)], []

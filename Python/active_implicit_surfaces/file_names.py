@@ -170,8 +170,8 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
 def read_index(index: Path) -> Listing:
     """Reads the frames and times of a .pvd or a .series.
 
-    Parts with the same time are one frame. If a part is listed twice, as after a restart, the later
-    entry counts.
+    Parts with the same time are one frame. If a part is listed twice for a time, as after a
+    restart, the later entry counts.
     """
     try:
         text = index.read_text(encoding="utf-8")

@@ -15,7 +15,7 @@ from .series import TemporalSource
 
 
 class LiveSurface:
-    """Skin over a running simulation: `advance` takes a frame's particles and returns their skin.
+    """Skin over a running simulation: `advance` reads a frame's particles and returns their skin.
 
     A call costs one frame, whatever the number of earlier frames. With `particle_spacing` and
     without a preset, the skins are bitwise those of `frames` at the same times, except velocities.

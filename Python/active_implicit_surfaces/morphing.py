@@ -43,8 +43,8 @@ class morph(Skins):
     progress : callable(int, int), optional
         Called after each skin with the numbers of finished skins and of all skins.
     **options
-        Properties of vtkActiveImplicitSurface in snake case, such as ``voxel_size=0.02``. Two
-        functions need ``model_bounds``.
+        Properties of vtkActiveImplicitSurface in snake case, such as ``voxel_size=0.02``. If `a`
+        and `b` are functions without bounds, set ``model_bounds``.
 
     Yields
     ------
@@ -63,8 +63,8 @@ class morph(Skins):
     Warns
     -----
     UserWarning
-        The shapes' sizes differ by a factor of more than 1.5, or their centres are farther apart
-        than half of the larger size.
+        The longest sides of the shapes' bounds differ by a factor of more than 1.5, or the bounds'
+        centres are farther apart than half of the longer side.
 
     Attributes
     ----------
@@ -178,7 +178,7 @@ def _fitted(shape: Any, model: Any, fit: str) -> Any:
 
 
 def _describe_difference(first: Any, last: Any) -> str:
-    """Returns a warning if two shapes differ much in size or position, else an empty result."""
+    """Returns a warning if two shapes differ much in size or position; else ""."""
     (centre, size), (to_centre, to_size) = _box(first), _box(last)
     if size == 0 or to_size == 0:
         return ""

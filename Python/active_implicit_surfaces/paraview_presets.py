@@ -24,10 +24,10 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
 
     The values appear in the panel, where the user can change them, and are saved in state files.
-    Values depend on the spacing of the particles at the first time step and on the median time
-    between two steps; the particles are sent to the client. A Particle Spacing that was set before
-    stays. Properties that only other presets set return to their defaults, except lengths and a
-    radius array set by the user.
+    Values depend on the particles at the first time step (spacing, radii), which are sent to the
+    client, and on the median time between two steps. A Particle Spacing that was set before stays.
+    Properties that only other presets set return to their defaults, except lengths and a radius
+    array set by the user.
 
     Parameters
     ----------

@@ -117,9 +117,9 @@ def open_particles(
 ) -> ParticleFiles:
     """Opens files of particles or images as frames; names may be patterns, folders or one index.
 
-    Particles may be selected (see `choice`). Times follow from `times`, else from `fps`, else from
-    the index or the files, else from 25 frames per second. With frames per second, gaps in file
-    numbers are gaps in time.
+    `where` and `label` select particles, or a label of images (see choice.choose). Times follow
+    from `times`, else from `fps`, else from the index or the files, else from 25 frames per second.
+    With frames per second, gaps in file numbers are gaps in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times

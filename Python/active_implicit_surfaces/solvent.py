@@ -229,7 +229,7 @@ def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
     """Yields the arcs in which a ball meets later balls and which no other ball covers.
 
     An arc has a centre, a radius, half of its angle, and three axes as rows: towards the middle of
-    the arc, across that in the plane of the circle, and normal to the plane.
+    the arc, across the first axis in the plane of the circle, and normal to the plane.
     """
     second = near[near > ball]
     way = centers[second] - centers[ball]

@@ -98,7 +98,7 @@ def _even_array(what: str, values: Any) -> Any:
 def read_numpy(path: Path) -> Frames:
     """Reads an array (n, 3) or (frames, n, 3), other arrays, and "fps" or "times".
 
-    With "counts" (particles of each frame) the rows of all frames are concatenated.
+    With "counts" (particles of each frame) an array has the rows of all frames, in order.
     """
     with path.open("rb") as file:
         try:

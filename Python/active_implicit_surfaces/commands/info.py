@@ -78,7 +78,7 @@ def make_parser() -> Parser:
 def describe(
     names: list[str], where: Sequence[str] = (), label: int | None = None
 ) -> dict[str, Any]:
-    """Returns the content of files, or of the selected part, as a dictionary for JSON."""
+    """Describes files by the first one (particles: also the last frame): a dictionary for JSON."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":

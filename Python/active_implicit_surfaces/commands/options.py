@@ -68,7 +68,7 @@ class _HelpProperties(argparse.Action):
 
 
 def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
-    """Adds an option for each property of the filter; --help lists only those in `shown`."""
+    """Adds an option for each property that is no object; --help lists only the ones in `shown`."""
     every = {own.keyword: own for own in properties.every() if own.kind != "object"}
     for keyword in dict.fromkeys([*shown, *every]):
         own = every[keyword]

@@ -16,7 +16,7 @@ _SECONDS_BETWEEN_STATES = 20.0
 
 
 class Resumption(Sink):
-    """State of a run, saved at most every 20 s; after bind() a sink of the run.
+    """State of a run, saved during the run at most every 20 s; after bind() a sink of the run.
 
     - output (Path): name of the series of skins; the state is in hidden files of the same folder.
     - description (dict): options that the skins depend on; a run with other options cannot be
