@@ -147,9 +147,8 @@ def capture(
     renderer : vtkRenderer, optional
         Renderer to capture; it has to fill the window. Default: the first of the window.
     velocity : str
-        Name of a point array of 3 components [length/time] along the world's axes (if active
-        vectors of the data: along the data's axes); surfaces without this array stand still.
-        Default: "Velocity".
+        Name of a point array of 3 components [length/time] along the data's axes; surfaces without
+        this array stand still. Default: "Velocity".
     frame_duration : float
         Time until the next frame [time of the velocities]. Default: 1.
     camera_after : vtkCamera, optional
