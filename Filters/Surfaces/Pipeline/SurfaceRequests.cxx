@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, this source is requested at the target's time. Whenever the
-  // initial shape is needed, the target's time is the first time.
+  // If both ports have the same source, this source is requested at the target's time. This time is
+  // the first one whenever the initial shape is needed.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);

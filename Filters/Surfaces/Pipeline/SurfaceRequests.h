@@ -91,7 +91,8 @@ public:
   void RequestData(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
-  // Adds a frame, to which the next update advances. Throws like PushedFrames.
+  // Adds a frame, to which the next update advances. Throws like PushedFrames::Push and
+  // SurfaceInput::Check, and std::logic_error within an update.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Returns true if the last update reached the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }

@@ -151,8 +151,8 @@ std::size_t Checkpoints::GetSize() const
   return size;
 }
 
-// Removes the state that leaves the smallest gap. Removes the first state last, because without the
-// first state a request for an earlier time restarts the motion.
+// While the capacity is exceeded, removes the state that leaves the smallest gap. Removes the first
+// state last, because without the first state a request for an earlier time restarts the motion.
 void Checkpoints::MakeRoom()
 {
   while (!this->States.empty() && this->GetSize() > this->Memory)
