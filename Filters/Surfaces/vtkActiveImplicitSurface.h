@@ -168,9 +168,9 @@ public:
   /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
    * wall (a large box minus the container's inside, by vtkImplicitBoolean). The skin ends on the
    * obstacle, closed, whatever moves the skin. F / |grad F| of the obstacle is sampled once at each
-   * lattice node that comes within 8 voxels of the skin. Obstacles thinner than two voxels leak. A
-   * change of the obstacle or of its transform restarts the motion. A saved state does not contain
-   * the obstacle: set it again. Threads as for TargetFunction. Default: none. */
+   * lattice node that comes near the skin. Obstacles thinner than two voxels leak. A change of the
+   * obstacle or of its transform restarts the motion. A saved state does not contain the obstacle:
+   * set it again. Threads as for TargetFunction. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}
@@ -315,9 +315,9 @@ public:
   ///@{
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
    * which the potential's image covers. The skin may leave the box later. Range: finite, min < max
-   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the target at the
-   * first step and of the initial shape (inputs, vtkSkeletonPotential or vtkGridPotential),
-   * enlarged at each end by an eighth of its longest side, images by two voxels. */
+   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's
+   * target and of the initial shape, enlarged at each end by an eighth of its longest side, images
+   * by two voxels. Of functions, only vtkSkeletonPotential and vtkGridPotential have a box. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
