@@ -14,7 +14,8 @@ namespace activesurface
 namespace
 {
 
-// Makes a name unique to the process and the object: two writers on one machine share no file.
+// Returns a name unique to the process and the object, so that two writers on one machine share no
+// temporary file.
 std::string MakeTemporaryName(const std::string& name)
 {
   static std::atomic<unsigned> count{ 0 };

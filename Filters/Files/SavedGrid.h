@@ -15,8 +15,8 @@ namespace activesurface
 constexpr const char* SavedGridName = "potential";
 
 /** Returns the band's grid (NarrowBandGrid.h) with the other values of the state as metadata. Each
- * row of the history is a line of text. Floating-point numbers are hexadecimal, so that none is
- * rounded. */
+ * row of the history is a line of text. Floating-point numbers in these lines are hexadecimal, so
+ * that none is rounded. */
 ACTIVEFILES_EXPORT openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state);
 
 /** Throws std::runtime_error for a grid that is no saved state, or a damaged one. */

@@ -232,7 +232,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   grid.Transform = openvdb::math::Transform::createLinearTransform();
   openvdb::io::setCurrentVersion(bytes);
   grid.Transform->read(bytes);
-  // Some maps are stored together with their inverse.
+  // Some maps are stored together with their inverse, so a damaged map can contradict its inverse.
   const openvdb::Vec3d node(1.0, 2.0, 3.0);
   const openvdb::Vec3d there = grid.Transform->indexToWorld(node);
   const double miss = (grid.Transform->worldToIndex(there) - node).length();

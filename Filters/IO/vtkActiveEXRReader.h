@@ -26,7 +26,7 @@
  * @par Pixels
  * - Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window,
  *   whatever the file's own coordinates.
- * - The extent is the data window (see Window). The data window may begin at any pixel, and exceed
+ * - By default the extent is the data window (see Window), which may begin at any pixel, and exceed
  *   the display window.
  *
  * @par Series

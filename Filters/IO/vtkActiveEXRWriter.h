@@ -17,11 +17,11 @@
  *   | others of more                | name.0, ... (00, beyond ten)   |
  *   | Z, id, others of 1            | its name as it is              |
  *
- * - Integer colors: unsigned char or unsigned short, 3 or 4 components, as pictures of other
- *   readers and of windows.
+ * - Integer colors are arrays of unsigned char or unsigned short with 3 or 4 components, such as
+ *   pictures from other readers and from windows.
  * - A dot in the name of an array of one component assigns the array to a layer.
- * - If the components of an array have names (SetComponentName), these names follow the dot.
- *   AddChannel replaces these rules for an array.
+ * - If the components of an array have names (SetComponentName), these names follow the dot, but
+ *   not for the first two rows of the table. AddChannel replaces all these rules for an array.
  *
  * @par Values
  * - float and double arrays become FLOAT, integers UINT, integer colors HALF from 0 to 1.
@@ -39,7 +39,7 @@
  *   FilePattern are not used.
  * - With WriteAllTimeSteps there is a file for each of the input's time steps, numbered from
  *   FrameNumber on. Without a placeholder the number is put before the extension, name.0000.exr.
- * - Pipeline time becomes the attribute "time".
+ * - The time of the input, if known [pipeline time], becomes the attribute "time".
  *
  * @par Threads
  * - The pixels are packed by as many threads as vtkSMPTools uses, unless the program has set
@@ -88,8 +88,8 @@ public:
   /**
    * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time, widely
    * supported. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets, best for noise.
-   * DWAA (4): small, with loss; an error if a channel is no color. Colors are Y, and R, G, B and A,
-   * also of layers. Default: ZIP.
+   * DWAA (4): small, with loss; an error if a channel is UINT or no color. Colors are Y, and R, G,
+   * B and A, also of layers. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -197,7 +197,7 @@ public:
   ///@{
   /**
    * Writes a component of a point array as a channel of this name. Of this array, only the channels
-   * added by AddChannel are then written; other arrays follow the rules above.
+   * added by AddChannel are then written; other arrays follow the table of Channels above.
    */
   void AddChannel(const char* array, int component, const char* channel);
   void ClearChannels();

@@ -18,8 +18,8 @@
  *   empty.
  *
  * @par Reading
- * - Only the chosen grids are read. If Region is a box and the file has the sizes of its leaves,
- *   only leaves that meet the box are read.
+ * - Only the chosen grids are read. If Region is a box, only leaves that meet the box are read,
+ *   except in bool and mask grids and in files with a wrong table of leaf sizes.
  * - Several files are a series of time steps. The times are the metadata "time" of the files or of
  *   their first grids, or 0, 1, 2... if a file has no time or the times do not increase. A request
  *   for a time between two steps returns the earlier step.
@@ -122,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Converts volumes to dense images. Off: the image has no arrays, and carries the first chosen
-   * grid, if a level set, for filters that can use the grid itself, see above. Default: on.
+   * Converts volumes to dense images. Off: the image has no arrays. If the first chosen grid is a
+   * level set, the image carries the grid for the filters named under Output above. Default: on.
    */
   vtkSetMacro(OutputDense, vtkTypeBool);
   vtkGetMacro(OutputDense, vtkTypeBool);
@@ -144,10 +144,10 @@ public:
    * Grids of the file, or of that file of a series that was read last; available after
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
    * vec3s, vec3d, vec3i, points), or the tree's type if the value type is unknown. Half floats have
-   * the type "float", and GetGridIsHalfFloat() is true. The class is "level set", "fog volume",
-   * "staggered vector field" or "unknown". GetGridIsInstance() is true if the grid shares the tree
-   * of another grid. GetGridBox() returns the box of the active voxels in index coordinates. An
-   * index out of range returns an empty text, 0, false or an empty box.
+   * the type "float", and GetGridIsHalfFloat() is true. The class is a text of the file such as
+   * "level set" or "fog volume", else "unknown". GetGridIsInstance() is true if the grid shares the
+   * tree of another grid. GetGridBox() returns the box of the active voxels in index coordinates.
+   * An index out of range returns an empty text, 0, false or an empty box.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();

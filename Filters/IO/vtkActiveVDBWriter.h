@@ -23,7 +23,8 @@
  *
  * @par Metadata of the file and of all grids
  * - creator, time [pipeline time] (0 if the input has none), frame (number of the time step),
- *   units, and motion_X for each property X of the filter that determines the motion.
+ *   units, and, from a vtkActiveImplicitSurface, motion_X for each property X that determines the
+ *   motion.
  *
  * @par Errors
  * - A file is written under a temporary name, validated and then renamed, so it appears as a whole

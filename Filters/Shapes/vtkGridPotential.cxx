@@ -40,10 +40,10 @@ namespace
 // The body is thin at a surface point if, within that length, the function is positive at two
 // points of the normal's line, one on either side. One of the two points is outside near the
 // surface point, the other behind the opposite side of the body. The test needs neither distances,
-// nor voxels that resolve the part, nor oriented normals. The function has to rise along the normal
-// to within 45 degrees, so that the opposite side faces the point. Edges of a cube, or of any wedge
-// of more than 45 degrees, are therefore not thin: the lattice rounds these edges off, but does not
-// lose them.
+// nor voxels that resolve the part, nor oriented normals. At the two points the gradient has to
+// point away from the surface point within 45 degrees of the line, so that the opposite side faces
+// the surface point. Edges of a cube, or of any wedge of more than 45 degrees, are therefore not
+// thin: the lattice rounds these edges off, but does not lose them.
 
 // Equidistant points along a normal.
 struct RayPoints
@@ -63,8 +63,8 @@ RayPoints MakeRayPoints(const SurfaceSample& surface, double thickness)
   return { length / count, static_cast<int>(count) };
 }
 
-// Returns true if, at a point of the ray along the normal, the function is positive and rises to
-// within 45 degrees of the direction of the ray.
+// Returns true if, at a point of the ray along the normal, the function is positive and its
+// gradient is within 45 degrees of the ray's direction.
 bool LeadsOut(
   const GridSamples& function, const SurfacePoint& from, double sense, const RayPoints& ray)
 {

@@ -9,7 +9,7 @@
  * - Image: the point scalars of a vtkImageData, of any type and one component. F = sample -
  *   IsoValue, or IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix
  *   are used. Beyond the image's box F is the distance to the box [length], so a body that reaches
- *   the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
+ *   the faces is closed there. F is NaN in lattice cells with a sample of value NaN.
  * - Level set: the voxels of a sparse level set that a vtkImageData carries in place of arrays
  *   (vtkActiveVDBReader with OutputDense off). F is that of an image of these voxels. Beyond the
  *   band all voxels have the background value, + or -, so F is constant there, with gradient 0.
@@ -75,8 +75,8 @@ public:
   ///@{
   /**
    * A vtkImageData, or a vtkPolyData with polygons or strips. The input is read at the first
-   * evaluation after its MTime has changed. The pixels of an image are not copied. Default: none, F
-   * is 1 everywhere.
+   * evaluation after a change of the input (its MTime) or of a property. The pixels of an image are
+   * not copied. Default: none, F is 1 everywhere.
    */
   void SetInput(vtkDataSet* input);
   vtkDataSet* GetInput();
@@ -152,18 +152,18 @@ public:
 
   ///@{
   /**
-   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number. The
-   * estimate depends on the mesh's position and Reach. A voxel needs about 10 bytes while reading.
-   * Range: >= 1. Default: 500000000.
+   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number, by
+   * an estimate from the mesh's position, size and Reach. A voxel needs about 10 bytes while
+   * reading. Range: >= 1. Default: 500000000.
    */
   vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfVoxels, vtkIdType);
   ///@}
 
   /**
-   * Box outside which F is not negative [length]: that of the image, of the mesh or its shell, or
-   * of the active voxels of a level set (if the background is outside). Returns false, with
-   * uninitialized bounds, if there is none. Reads the input.
+   * Box of the image, of the mesh or its shell, or of the active voxels of a level set [length].
+   * Outside the box F is not negative, unless the background of a level set is inside. Returns
+   * false, with uninitialized bounds, without usable input. Reads the input.
    */
   bool GetGridBounds(double bounds[6]);
 
@@ -183,8 +183,9 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if anything has changed since the last reading. Call Build before EvaluateBatch;
-   * the other evaluations call Build themselves.
+   * Read the input if a property or the input (of an algorithm: as found by GetMTime()) has changed
+   * since the last reading. Call Build before EvaluateBatch; the other evaluations call Build
+   * themselves.
    */
   void Build();
 
@@ -225,7 +226,7 @@ public:
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 
   /**
-   * The connected parts and the voids of the region below a level, without the transform; null if
+   * The connected parts and the voids of the region F < `level`, without the transform; null if
    * unavailable. The result for the last level is cached. Reads the input.
    */
   VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);

@@ -2,7 +2,7 @@
  * @class vtkSkeletonPotential
  * @brief sum of compact kernels around points and line segments, as an implicit function
  *
- * F is negative inside, as all implicit functions of VTK:
+ * F is negative inside, as all implicit functions of VTK. With ParticleModel SUM, the default:
  *
  *     F(x) = Threshold - sum of strength * W(distance / radius)
  *
@@ -103,9 +103,9 @@ public:
 
   ///@{
   /**
-   * Points and segments, see above. The data set is read at the first evaluation after a change of
-   * the data set, its points or its arrays (of their MTime). Default: none, F is Threshold (1/2
-   * with ANISOTROPIC) everywhere.
+   * Points and segments, see Elements above. The data set is read at the first evaluation after a
+   * change of the data set, its points or its arrays (of their MTime). Default: none, F is
+   * Threshold (1/2 with ANISOTROPIC) everywhere.
    */
   void SetInput(vtkPointSet* input);
   vtkPointSet* GetInput();
@@ -221,8 +221,9 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if anything has changed since the last reading. Call Build before EvaluateBatch;
-   * the other evaluations call Build themselves.
+   * Read the input if a property or the input (of an algorithm: as found by GetMTime()) has changed
+   * since the last reading. Call Build before EvaluateBatch; the other evaluations call Build
+   * themselves.
    */
   void Build();
 

@@ -192,7 +192,8 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Reads a number of items. Each item occupies at least `least` bytes of the rest of the file. */
+/** Reads a number of items of at least `least` bytes each. Throws std::runtime_error if the rest of
+ * the file is too short for them. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();
@@ -257,7 +258,8 @@ void PointsValidator::ReadSizes()
   }
 }
 
-/** Skips the index of the last point of each voxel. */
+/** Validates the mask of each leaf and skips its table: the index of the last point of each voxel.
+ */
 void PointsValidator::SkipVoxels()
 {
   constexpr std::uint64_t bytes = 512 * sizeof(std::uint32_t);

@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-// Bound on coordinates, far from overflow.
+// Bound on the index coordinates of nodes, far from overflow.
 constexpr int Farthest = 1 << 30;
 
 int CountBitsOf(const std::uint64_t* words, int count)

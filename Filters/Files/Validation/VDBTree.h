@@ -58,8 +58,8 @@ struct VDBTree
 /** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */
 VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 
-/** Validates the buffers that follow the topology, except buffers of points, and sets tree.Sizes.
- * Throws like ValidateTopology. */
+/** Validates the buffers of leaves, which follow the topology, except buffers of points. Sets
+ * tree.Sizes if the leaves contain values. Throws like ValidateTopology. */
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**

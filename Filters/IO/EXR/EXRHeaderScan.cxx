@@ -55,7 +55,7 @@ std::string ReadName(EXRInput& input)
 }
 
 // Reads an attribute and checks its end. OpenEXR before 3.3 reads attributes of some types beyond
-// their stated size, or not to their end. OpenEXR would treat the following bytes as the next
+// their stated size, or not to their end. OpenEXR would then treat the following bytes as the next
 // attribute, of any size.
 void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::Header& header)
 {

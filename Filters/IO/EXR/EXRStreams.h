@@ -1,5 +1,5 @@
-// Streams for OpenEXR that report every error. An input has its size in bytes. OpenEXR's own output
-// stream ignores errors of the last bytes, which are written when the stream closes.
+// Streams for OpenEXR that report every error. An input also returns its size in bytes. OpenEXR's
+// own output stream ignores errors of the last bytes, which are written when the stream closes.
 
 #ifndef EXRStreams_h
 #define EXRStreams_h
@@ -59,7 +59,7 @@ public:
 
   // Throws FileError unless every byte has reached the file.
   void Close();
-  // The error that stopped the writing; 0 if there was none.
+  // Returns the errno of the first failed write; 0 if none failed.
   int GetErrorNumber() const { return this->ErrorNumber; }
 
 private:

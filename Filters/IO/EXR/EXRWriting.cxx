@@ -190,7 +190,7 @@ void WritePixels(
   file.writePixels(window.max.y - window.min.y + 1);
 }
 
-// Calls an action on the file's name and converts exceptions to FileError.
+// Calls an action of a FileReplacement and converts its std::runtime_error to FileError.
 template <class Action>
 auto WithName(const Action& action)
 {

@@ -73,7 +73,7 @@ Leaves CollectLeaves(const PointDataGrid& grid, std::int64_t maximum, std::int64
 }
 
 // For each leaf, calls visit = open(leaf). For each point of the leaf, calls visit(index in the
-// leaf, index of the point).
+// leaf, index among all points).
 template <class Open>
 void ForEachPoint(const Leaves& leaves, const Open& open)
 {

@@ -28,7 +28,8 @@ struct Nearest
   Vec3d Foot;
 };
 
-// Lookup of triangles by voxel. Triangles of skins are not larger than a voxel.
+// Lookup of triangles by the voxel of their centroid. Triangles of skins are not larger than a
+// voxel.
 class TrianglesOfVoxels
 {
 public:
@@ -88,7 +89,7 @@ public:
     }
   }
 
-  // Moves to closer triangles around the foot point until there are none.
+  // Moves to closer triangles around the foot point until no triangle is closer.
   void Descend(Reader& first, const Vec3d& node, Nearest& nearest) const
   {
     Coord last = Coord::max();

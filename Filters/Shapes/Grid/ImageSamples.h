@@ -1,5 +1,6 @@
 // Pixels of a vtkImageData as samples. The value, +-(pixel - IsoValue), is trilinear within the
-// image's box. Outside, the value is the distance to the box or ImageLevel::Beyond.
+// image's box. Outside, the value is the distance to the box [length], or ImageLevel::Beyond if
+// that is not negative.
 
 #ifndef ImageSamples_h
 #define ImageSamples_h

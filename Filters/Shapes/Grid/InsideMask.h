@@ -13,7 +13,8 @@
 namespace activesurface
 {
 
-// Activates the voxels and tiles for which isInside(value). The background stays inactive.
+// Activates in `inside` the voxels and tiles of `values` for which isInside(value). The background
+// of `inside` stays inactive.
 template <class IsInside>
 void FindInside(
   const openvdb::FloatTree& values, const IsInside& isInside, openvdb::MaskTree& inside)

@@ -23,7 +23,7 @@ namespace activesurface
 namespace
 {
 
-// Width of the margin around the label [pixels]. The distance of points beyond the margin is
+// Width of the margin around the label's box [pixels]. Points beyond the margin have the distance
 // LabelMargin - 1/2.
 constexpr int LabelMargin = 4;
 
@@ -95,10 +95,11 @@ private:
   }
 };
 
-// Larger than the square of any distance; twice this number does not overflow.
+// Exceeds every squared distance [pixels^2] in images of up to 13,000 pixels along each axis. Twice
+// this number does not overflow.
 constexpr std::int32_t Unknown = 1 << 29;
 
-// Replaces each number(i) of a line by the least number(j) + (i - j)^2 over the line.
+// Sets each squares[i] to the least line[j] + (i - j)^2 over all j.
 void SpreadSquares(std::vector<std::int32_t>& line, std::vector<std::int32_t>& squares)
 {
   const auto size = static_cast<std::int32_t>(line.size());
@@ -117,7 +118,7 @@ void SpreadSquares(std::vector<std::int32_t>& line, std::vector<std::int32_t>& s
   }
 }
 
-// Spreads squares along an axis of an image of this extent.
+// Calls SpreadSquares for all lines along an axis of an image of this extent.
 void SpreadAlong(std::size_t axis, const Box& box, std::vector<std::int32_t>& squares)
 {
   const std::size_t size = GetLength(box, axis);

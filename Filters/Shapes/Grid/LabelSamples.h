@@ -1,10 +1,12 @@
-// Distances to the surface of a label, the pixels of an image whose values are above a level.
+// Signed distance to the surface of a label. The label consists of the pixels of an image whose
+// values are above a level; pixels beyond the image are outside. The label's surface consists of
+// the outer faces of its pixels.
 //
-// The distance at a pixel is that to the nearest pixel on the other side of the surface, minus 1/2,
-// and negative in the label. Between pixels the distance is trilinear. The unit is a pixel, as if
-// all pixels were cubes of side 1. A skin where the distance is between -1/2 and 1/2 is within half
-// a pixel of the label's surface along each axis. The label's surface consists of the outer faces
-// of its pixels; pixels beyond the image are outside.
+// At a pixel's centre the distance is that to the nearest centre on the other side of the surface,
+// minus 1/2; negative in the label. Between centres the distance is trilinear. Four pixels outside
+// the label's box the distance stays constant. The unit is a pixel, as if all pixels were cubes of
+// side 1. Points with distances between -1/2 and 1/2 are within half a pixel of the label's surface
+// along each axis.
 
 #ifndef LabelSamples_h
 #define LabelSamples_h

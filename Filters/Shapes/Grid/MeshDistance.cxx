@@ -47,8 +47,8 @@ class Walk
 public:
   Walk(const MeshTriangles& mesh, const VoxelMesh& voxels);
 
-  // Walks over the mesh from `triangle` as long as each step decreases the distance. Returns the
-  // squared distance to the last triangle [voxels^2].
+  // Walks from `triangle` as long as each step decreases the distance to `place`. Returns the
+  // squared distance between `place` and the last triangle [voxels^2].
   double FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const;
 
 private:

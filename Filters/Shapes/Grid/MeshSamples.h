@@ -24,7 +24,7 @@ class MeshSamples : public GridSamples
 public:
   // Throws std::invalid_argument for a mesh without valid polygons, with 2^31 triangles or more, or
   // 10^9 voxels or more from the origin, and for invalid values of `measure`. Throws
-  // std::runtime_error beyond the maximum number of voxels.
+  // std::runtime_error if the distances need more than MaximumNumberOfVoxels.
   MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure);
   ~MeshSamples() override;
 

@@ -44,7 +44,7 @@ private:
   openvdb::tree::ValueAccessor<openvdb::MaskTree> Passed;
 };
 
-// Divides a length into equal parts, at most half a cube long. Returns the number of parts.
+// Returns the number of equal parts of a length, each at most half a cube's edge long.
 double CountParts(double length)
 {
   return std::max(std::ceil(2.0 * length), 1.0);

@@ -59,7 +59,7 @@ private:
 constexpr std::size_t TrianglesOfLeaf = 8;
 
 // Beyond this distance from a box's centre [radii of the box], one dipole replaces the box's
-// triangles, with an error below 1 %.
+// triangles. The error of a winding number is below 0.01.
 constexpr double FarInRadii = 2.5;
 constexpr double Sphere = 4.0 * 3.14159265358979323846;
 
@@ -170,8 +170,8 @@ using openvdb::Coord;
 using openvdb::Vec3d;
 using Nodes = std::vector<Coord>;
 
-// 0.5 plus the error of dipoles. Without this margin, points near a large sheet could count as
-// inside.
+// Winding number above which a point is inside: 0.5 plus the error of dipoles. Without this margin,
+// points near a large sheet could count as inside.
 constexpr double Half = 0.51;
 // Distance from the mesh up to which all nodes are evaluated [voxels].
 constexpr float Near = 2.f;
@@ -255,7 +255,8 @@ void Caps::Evaluate(const Nodes& nodes)
   }
 }
 
-// Returns the nodes around those of `nodes` that are next to a cap, except visited nodes.
+// Returns the unvisited nodes up to two steps along each axis from those of `nodes` that are next
+// to a cap.
 Nodes Caps::Grow(const Nodes& nodes)
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

@@ -34,8 +34,8 @@ public:
   // Returns the time of the last change of the data, or of anything upstream. Updates pipeline
   // information; not thread-safe.
   vtkMTimeType FindMTime();
-  // Returns the result of the last FindMTime; for a given data set, its MTime. Cheap and
-  // thread-safe.
+  // Returns the result of the last FindMTime; for a given data set its MTime, without input 0.
+  // Cheap and thread-safe.
   vtkMTimeType GetMTime() const;
 
   // Calls read() in one thread if the input (GetMTime) or the function (`changed`) has changed

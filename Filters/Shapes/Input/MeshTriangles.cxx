@@ -92,7 +92,8 @@ Reader::Reader(vtkPolyData* mesh)
   this->Known.reserve(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
 }
 
-// Returns the index of the point with these coordinates, or -1 if the point is not usable.
+// Returns the index of the merged point at the coordinates of point `id`, or -1 if that point is
+// not usable.
 vtkIdType Reader::Merge(vtkIdType id)
 {
   Point point;

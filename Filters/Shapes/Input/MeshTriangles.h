@@ -2,9 +2,9 @@
 // defects. All code that needs the inside of a mesh uses this conversion.
 //
 // A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
-// crossings of a path to infinity then determine whether a point is inside. Bodies may touch along
-// an edge of four polygons. At an edge of one polygon there is a hole; at an edge of three polygons
-// a wall ends.
+// number of crossings of a path to infinity then determines whether a point is inside. Bodies may
+// touch along an edge of four polygons. At an edge of one polygon there is a hole; at an edge of
+// three polygons a wall ends.
 
 #ifndef MeshTriangles_h
 #define MeshTriangles_h

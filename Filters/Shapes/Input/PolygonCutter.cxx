@@ -58,7 +58,7 @@ const std::vector<PolygonCutter::Triangle>& PolygonCutter::Cut(const std::vector
 
 // Chooses the diagonal independently of the release of VTK. Chooses the diagonal whose two
 // triangles face the same side. If this holds for both diagonals or for neither, chooses the
-// shorter diagonal, or the second if their lengths are equal.
+// shorter diagonal, or bd if their lengths are equal.
 void PolygonCutter::CutQuadrangle(const std::vector<Point>& corners)
 {
   const Point &a = corners[0], &b = corners[1], &c = corners[2], &d = corners[3];

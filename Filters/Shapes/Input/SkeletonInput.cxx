@@ -118,7 +118,8 @@ std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
   return segments;
 }
 
-// Flags the points that are elements: points of vertices, and points without segments.
+// Flags the points that are elements: points of vertex cells, and points without segments. Counts
+// references to missing points in `ignored`.
 std::vector<bool> FindLonePoints(
   vtkPointSet* input, const std::vector<Ends>& segments, std::size_t& ignored)
 {
