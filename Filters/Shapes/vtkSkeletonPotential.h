@@ -103,9 +103,9 @@ public:
 
   ///@{
   /**
-   * Points and segments, see Elements above. The data set is read at the first evaluation after a
-   * change of the data set, its points or its arrays (of their MTime). Default: none, F is
-   * Threshold (1/2 with ANISOTROPIC) everywhere.
+   * Points and line segments. The data set is read at the first evaluation after a change of the
+   * data set, its points or its arrays (of their MTime). Default: none, F is Threshold (1/2 with
+   * ANISOTROPIC) everywhere.
    */
   void SetInput(vtkPointSet* input);
   vtkPointSet* GetInput();
