@@ -123,7 +123,8 @@ public:
   ///@{
   /**
    * Converts volumes to dense images. Off: the image has no arrays. If the first chosen grid is a
-   * level set, the image carries the grid for the filters named under Output above. Default: on.
+   * level set, the image carries the grid, for a vtkActiveImplicitSurface or a vtkGridPotential.
+   * Default: on.
    */
   vtkSetMacro(OutputDense, vtkTypeBool);
   vtkGetMacro(OutputDense, vtkTypeBool);

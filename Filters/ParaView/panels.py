@@ -30,12 +30,12 @@ Row = dict[str, Any]
 
 
 def label_of(name: str) -> str:
-    """Returns the label that ParaView shows for a name: its words."""
+    """Returns ParaView's label for a name: the name's words, separated by spaces."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
 
 
 def number(value: Any) -> str:
-    """Returns a number as XML has it."""
+    """Returns a number as text for XML; a whole float is without .0."""
     return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
@@ -48,7 +48,7 @@ class Panels:
         self.in_use = {element.get("name") for element in root.iter("InUse")}
 
     def write(self, file: Path) -> None:
-        """Replaces all elements, and writes the file if it changes."""
+        """Replaces all Own, InUse and Array elements; writes the file if its text changes."""
         for group in self.root.iter("ProxyGroup"):
             for proxy in group:
                 self._expand(proxy)
@@ -101,7 +101,7 @@ class Panels:
         return made
 
     def _text_of(self, row: Row, rows: dict[str, Row]) -> str:
-        """Returns a comment, in which properties have the names of the panel."""
+        """Returns a property's comment, in which names of properties are ParaView's labels."""
         names = "|".join(sorted(rows, key=len, reverse=True))
         text = re.sub(rf"\b({names})\b", lambda found: label_of(found[1]), row["comment"])
         used = f" {label_of(row['name'])} In Use shows the value." * (row["name"] in self.in_use)
@@ -164,7 +164,7 @@ def _make_function(row: Row, may_be_none: bool) -> Element:
 
 
 def _make_hints(given: dict[str, str], more: Element | None) -> Element:
-    """Returns hints for the attributes of visibility, which are taken out of `given`."""
+    """Returns hints for the attributes of visibility, which are removed from `given`."""
     hints = Element("Hints")
     hints.extend(more if more is not None else [])
     found: dict[str, str] = {}
