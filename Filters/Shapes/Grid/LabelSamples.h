@@ -3,10 +3,10 @@
 // the outer faces of its pixels.
 //
 // At a pixel's centre the distance is that to the nearest centre on the other side of the surface,
-// minus 1/2; negative in the label. Between centres the distance is trilinear. Four pixels outside
-// the label's box the distance stays constant. The unit is a pixel, as if all pixels were cubes of
-// side 1. Points with distances between -1/2 and 1/2 are within half a pixel of the label's surface
-// along each axis.
+// minus 1/2; negative in the label. Between centres the distance is trilinear. Beyond four pixels
+// from the label's box the distance is constant. The unit is a pixel, as if all pixels were cubes
+// of side 1. Points with distances between -1/2 and 1/2 are within half a pixel of the label's
+// surface along each axis.
 
 #ifndef LabelSamples_h
 #define LabelSamples_h
