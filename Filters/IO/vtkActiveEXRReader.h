@@ -112,8 +112,7 @@ public:
   ///@{
   /**
    * Memory limit for the pixels of an image and for unpacking one chunk of lines or one tile [MiB].
-   * A file that needs more is an error.
-   * Range: >= 1. Default: 4096.
+   * A file that needs more is an error. Range: >= 1. Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumMemory, int);

@@ -175,8 +175,7 @@ public:
   /**
    * Matrix from world to picture coordinates (attribute worldToNDC). (0, 0) is the upper left
    * corner of the display window, (1, 1) the lower right. Convention and precision are those of
-   * WorldToCamera.
-   * Default: none.
+   * WorldToCamera. Default: none.
    */
   void SetWorldToNDC(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToNDC();

@@ -3,8 +3,8 @@
  * @brief   writes an active surface, a closed mesh or an image as .vdb files
  *
  * @par Input
- * - Output port 0 or 1 of a vtkActiveImplicitSurface. The surface's own grid is written, without a
- *   dense image.
+ * - Output port 0 or 1 of a vtkActiveImplicitSurface. The grids are made from the surface's narrow
+ *   band, without a dense image.
  * - Any closed vtkPolyData: each edge belongs to an even number of polygons; the points have to
  *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
  * - Any vtkImageData.
@@ -12,8 +12,8 @@
  * @par Grids of a surface
  * - "surface": a level set. The values are the distance to the triangles [length], exact for a
  *   skin, negative inside, within 3 voxels on either side, and +-3 voxels beyond. The transform is
- *   exact: voxels of VoxelSize (of the skin or, for a mesh, below), with nodes at multiples of
- *   VoxelSize.
+ *   exact: nodes are at multiples of VoxelSize, that of the vtkActiveImplicitSurface or, for
+ *   another mesh, that of the writer.
  * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
  * @par Grids of an image

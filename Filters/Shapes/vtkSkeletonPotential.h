@@ -186,8 +186,8 @@ public:
 
   ///@{
   /**
-   * Distance of neighbouring points [length], twice a point's own radius; not used by SUM.
-   * Range: 1e-100 to 1e100, or -1, automatic: 1 / 2.25 of a point's radius. Default: -1.
+   * Distance of neighbouring points [length], twice a point's own radius; not used by SUM. Range:
+   * 1e-100 to 1e100, or -1, automatic: each point's radius (Radius or array) / 2.25. Default: -1.
    */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);

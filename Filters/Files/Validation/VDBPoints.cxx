@@ -33,7 +33,8 @@ struct Attribute
 class Pages
 {
 public:
-  /** Adds the array of the next leaf. Begins a page if the last page is full. */
+  /** Adds the array of the next leaf, of `bytes` bytes. If the last page is full, reads the size of
+   * a new page. */
   void AddSize(ByteSource& source, std::uint64_t bytes)
   {
     if (this->Left == 0)

@@ -66,7 +66,8 @@ struct ImageRequest
   vtkIdType MaximumNumberOfPoints = 0;
 };
 
-// Throws std::exception if the image would be too large, or the file cannot be read.
+// Reads the chosen volumes into the image. Throws std::exception if the image would be too large,
+// or the file cannot be read.
 void ReadImage(const ChosenGrids& chosen, const ImageRequest& request, vtkImageData* image);
 
 }
