@@ -45,7 +45,8 @@ struct ImagePlace
   double CountPoints() const; // a double, because the count may exceed any integer type
 };
 
-// Throws std::invalid_argument if the axes of the transform are not at right angles.
+// Returns the place of the image that covers a box of voxels (an empty box: empty extent). Throws
+// std::invalid_argument if the axes of the transform are not at right angles.
 ImagePlace MakeImagePlace(
   const openvdb::math::Transform& transform, const openvdb::CoordBBox& box, int factor);
 
