@@ -50,7 +50,9 @@ void FileReplacement::Finish()
   std::filesystem::rename(this->TemporaryName, this->Name, error);
   if (error)
   {
-    throw std::runtime_error("the finished temporary file cannot be renamed: " + error.message());
+    throw std::runtime_error(
+      "the temporary file cannot be renamed to the file's name (check the folder's permissions): " +
+      error.message());
   }
   this->Finished = true;
 }

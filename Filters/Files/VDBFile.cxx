@@ -207,7 +207,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   }
   if (!grid.IsKnown)
   {
-    throw std::runtime_error("its grid " + grid.Name + " has an unknown type (" + grid.Type +
+    throw std::runtime_error("its grid " + grid.Name + " has an unsupported type (" + grid.Type +
       ") or a transform that is not linear, and cannot be skipped because the file has no offsets; "
       "remove the grid from the file");
   }
@@ -298,7 +298,8 @@ void FileValidator::FindParents(VDBFile& file) const
     }
     if (!parent || parent->Type != grid.Type)
     {
-      RefuseDamage("the grid " + grid.Name + " shares the tree of a grid that does not exist");
+      RefuseDamage(
+        "the grid " + grid.Name + " shares the tree of a grid that is missing or of another type");
     }
     grid.ActiveVoxels = parent->ActiveVoxels;
     grid.NumberOfLeaves = parent->NumberOfLeaves;

@@ -231,7 +231,7 @@ int vtkActiveVDBReader::RequestData(
     if (own.Chosen.AreOfPoints() == (image != nullptr))
     {
       throw std::runtime_error("The files of the series have grids of different kinds, points and "
-                               "volumes; choose one by GridName.");
+                               "volumes; choose grids of one kind by GridName.");
     }
     if (!IsOtherPiece(out))
     {
@@ -248,8 +248,8 @@ int vtkActiveVDBReader::RequestData(
   catch (const std::bad_alloc&)
   {
     return this->Fail(output,
-      "There is not enough memory for the grid; choose a smaller Region, a "
-      "DownsamplingFactor, or OutputDense off.");
+      "There is not enough memory for the grid; choose a smaller Region, raise DownsamplingFactor, "
+      "or turn OutputDense off.");
   }
   catch (const std::exception& error)
   {

@@ -290,7 +290,7 @@ void vtkActiveVDBWriter::WriteSteps()
         if (this->GetAbortExecute())
         {
           throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
-            "; the files of the earlier time steps are complete.");
+            " (counted from 0); the files of the earlier time steps are complete.");
         }
         source->Update(steps[i]);
       });

@@ -118,7 +118,7 @@ void TopologyValidator::Background()
   if (this->Format.Kind == VDBFormat::Points && !isZero)
   {
     RefuseDamage(
-      "a grid of points has a background value"); // makes OpenVDB's reader abort the program
+      "the background of a grid of points is not 0"); // makes OpenVDB's reader abort the program
   }
 }
 

@@ -64,7 +64,7 @@ void ReadAttribute(EXRInput& input, const std::string& name, int version, Imf::H
   const std::uint64_t end = input.tellg() + size;
   if (end > input.GetSize() || size > std::numeric_limits<int>::max())
   {
-    RefuseHeader("attribute " + name + " of its header is larger than the file");
+    RefuseHeader("attribute " + name + " of its header is larger than the rest of the file");
   }
   const std::unique_ptr<Imf::Attribute> attribute(Imf::Attribute::knownType(type.c_str())
       ? Imf::Attribute::newAttribute(type.c_str())
@@ -123,7 +123,7 @@ void CheckWindow(const Imath::Box2i& window)
     if (x < -farthest || x > farthest)
     {
       RefuseHeader(
-        "a window of its header reaches to pixel " + std::to_string(x) + ", beyond 2^29");
+        "a window of its header reaches to pixel " + std::to_string(x) + ", beyond +-2^29");
     }
   }
 }

@@ -134,8 +134,9 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
     [&selection](const EXRChannel& channel) { return selection.Has(channel.Name); });
   if (channels.empty())
   {
-    throw FileError(
-      vtkErrorCode::UserError, "it has none of the enabled channels; enable other channels");
+    throw FileError(vtkErrorCode::UserError,
+      "the selected Part has none of the enabled channels; enable its channels, or set another "
+      "Part");
   }
   return GroupChannels(channels);
 }

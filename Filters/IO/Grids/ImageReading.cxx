@@ -49,8 +49,8 @@ void CheckSize(const ImagePlace& place, const ImageRequest& request)
   {
     std::ostringstream text;
     text << "The dense image would have " << place.CountPoints() << " points, more than "
-         << "MaximumNumberOfPoints; choose a smaller Region, a DownsamplingFactor, or OutputDense "
-         << "off, or raise the maximum.";
+         << "MaximumNumberOfPoints; choose a smaller Region, raise DownsamplingFactor or "
+         << "MaximumNumberOfPoints, or turn OutputDense off.";
     throw std::runtime_error(text.str());
   }
 }
@@ -238,8 +238,8 @@ std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>&
     if (names.size() > 1 && (isPoints || *grid.Transform != *grids.front().Transform))
     {
       throw std::invalid_argument("The grid \"" + name +
-        "\" cannot be read together with the other grids, because these are not all volumes with "
-        "the same transform. Choose one grid.");
+        "\" cannot be read together with other grids: it holds points, or its transform differs "
+        "from that of the first grid. Choose only one grid by GridName.");
     }
   }
   return grids;

@@ -130,8 +130,8 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(
       if (handle->stride() != stride || !handle->hasConstantStride())
       {
         throw std::runtime_error("The points cannot be read: an attribute has different numbers of "
-                                 "values in different points; write the file without this "
-                                 "attribute.");
+                                 "values in different points; write the file with the same "
+                                 "number of values in each point.");
       }
       return [=](openvdb::Index i, vtkIdType point)
       {

@@ -244,7 +244,7 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   WriteBytes(bad, std::vector<char>(1000, 'x'));
   refuse(bad, vtkErrorCode::UnrecognizedFileTypeError, "no EXR file");
   WriteBytes(bad, std::vector<char>(bytes.begin(), bytes.begin() + 100));
-  refuse(bad, vtkErrorCode::FileFormatError, "larger than the file");
+  refuse(bad, vtkErrorCode::FileFormatError, "larger than the rest of the file");
   WriteBytes(bad, std::vector<char>(bytes.begin(), bytes.end() - 100));
   refuse(bad, vtkErrorCode::PrematureEndOfFileError, "ends too early");
   WriteDeep(bad);
