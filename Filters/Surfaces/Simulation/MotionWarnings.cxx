@@ -27,17 +27,16 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
       << "Before the motion time " << time.Value
       << " the target attracted the skin inward at the same speed everywhere. VolumeControl or "
       << "AreaControl EXACT cancels such an attraction, so the skin did not approach the target, "
-      << "which is outside the skin, or farther inside than TargetReach; if it is inside, raise "
-      << "TargetReach. Check that target and "
-      << "initial shape overlap.";
+      << "which is outside the skin, or farther inside than TargetReach. Check that target and "
+      << "initial shape overlap. If the target is inside the skin, raise TargetReach.";
     messages.Say("cancelled attraction", text.str());
   }
   if (report.DroppedSamples > 0)
   {
     std::ostringstream text;
-    text << "Before the motion time " << time.Value << " the target was not a finite number at "
+    text << "Before the motion time " << time.Value << " the target was not a finite number in "
          << report.DroppedSamples << " of " << report.TargetEvaluations
-         << " points of the skin; these points were ignored. Check the target for values that "
+         << " evaluations near the skin, which were ignored. Check the target for values that "
          << "are not finite.";
     messages.Say("not finite", text.str());
   }
@@ -56,9 +55,9 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
   std::ostringstream text;
   text << "At the time step " << outside.Time.Value << ", "
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
-       << (particles ? "particles are outside the skin by more than their own radius"
-                     : "target's inside is outside the skin by more than a voxel")
-       << "; the column Outside of the history has this percentage for each time step. "
+       << (particles ? "particles lie outside the skin by more than their own radius"
+                     : "target's inside lies more than a voxel outside the skin")
+       << "; the column Outside of the history has this fraction for each time step. "
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
        << "For a closer skin, raise Attraction"
@@ -99,7 +98,7 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
   }
   text << "The skin has not reached a steady state after " << rest.MaximumSubsteps
        << " substeps: its speed is " << report.SurfaceSpeed
-       << " voxels per unit of time, RestTolerance is " << rest.Tolerance;
+       << " voxels per unit of motion time, and RestTolerance is " << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
     text << "; " << std::setprecision(2) << 100.0 * report.MovingShare
