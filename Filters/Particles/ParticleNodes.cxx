@@ -27,8 +27,9 @@ void CheckPlace(double place)
   constexpr double farthest = 1e9; // node indices are 32-bit integers
   if (!(std::fabs(place) < farthest))
   {
-    throw std::runtime_error("A particle is more than 10^9 voxels from the first particles, too "
-                             "far for the lattice; enlarge VoxelSize, or remove the particle.");
+    throw std::runtime_error("A particle is more than 10^9 voxels from the first time step's "
+                             "particles (from ModelBounds, if set), too far for the lattice; "
+                             "enlarge VoxelSize, or remove the particle.");
   }
 }
 

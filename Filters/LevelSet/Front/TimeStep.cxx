@@ -136,7 +136,7 @@ void CheckStep(double step, double voxelSize, double remaining)
     text << "The stable time step is " << step << ", ";
     if (isTooOften)
     {
-      text << "so the remaining time " << remaining << " needs more than a million substeps";
+      text << "so the remaining motion time " << remaining << " needs more than a million substeps";
     }
     else
     {
@@ -167,11 +167,9 @@ void CheckBounded(bool isUnbounded, double time)
   if (isUnbounded)
   {
     std::ostringstream text;
-    text
-      << "The skin stays at the motion time " << time
-      << " (TimeScale * elapsed time), because the potential would not be finite after the next "
-      << "substep. Lower CFL to 1 or less, set GradientScheme to UPWIND, and Tension to a number "
-      << ">= 0.";
+    text << "The skin stays at the motion time " << time
+         << " (TimeScale * elapsed time), because the potential would not be finite after the next "
+         << "substep. Lower CFL, set GradientScheme to UPWIND, and set Tension to a number >= 0.";
     throw std::runtime_error(text.str());
   }
 }

@@ -73,7 +73,7 @@ void CheckExtent(const int extent[6])
   const bool isEmpty = extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
   if (isEmpty)
   {
-    throw std::invalid_argument("The image is empty: it has no pixels.");
+    throw std::invalid_argument("The image is empty: it has no pixels; connect another image.");
   }
   if (extent[0] == extent[1] || extent[2] == extent[3] || extent[4] == extent[5])
   {
@@ -139,7 +139,7 @@ void ImageSamples::ReadAxes(vtkImageData* image)
   if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
   {
     throw std::invalid_argument("The image has no position in space: its origin or spacing is not "
-                                "finite, a spacing is 0, or axes are not orthogonal; correct it.");
+                                "finite, a spacing is 0, or axes are not orthogonal; fix these.");
   }
   vtkMath::Invert3x3(columns, this->Inverse);
   constexpr double roundings = 32.0;

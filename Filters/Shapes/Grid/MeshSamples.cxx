@@ -57,7 +57,7 @@ void CheckMesh(const MeshTriangles& mesh)
   if (mesh.Triangles.empty())
   {
     throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
-        ? "The mesh has no valid polygon. " + mesh.Defects.Describe()
+        ? "The mesh has no valid polygon; correct it. " + mesh.Defects.Describe()
         : std::string("The mesh has no polygons and no triangle strips; connect a closed mesh."));
   }
   if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))

@@ -38,13 +38,13 @@ vtkDataArray* FindArray(vtkPointSet* input, const std::string& name, const char*
   if (array->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument(called + "has " + std::to_string(array->GetNumberOfComponents()) +
-      " components; one number per point is needed.");
+      " components; choose an array of one number per point.");
   }
   if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
     throw std::invalid_argument(called + "has " + std::to_string(array->GetNumberOfTuples()) +
       " values for " + std::to_string(input->GetNumberOfPoints()) +
-      " points; one number per point is needed.");
+      " points; choose an array of one number per point.");
   }
   return array;
 }

@@ -13,8 +13,8 @@ namespace activesurface
 {
 
 constexpr const char* NoMemoryForOutputs =
-  "There is not enough memory for the skin, or for the image of the potential, which fills "
-  "ModelBounds; enlarge VoxelSize, or shrink ModelBounds.";
+  "There is not enough memory for the skin, or for the image of the potential over "
+  "ModelBounds; enlarge VoxelSize, shrink ModelBounds, or turn OutputPotential off.";
 
 class OutputPorts
 {

@@ -60,7 +60,7 @@ vtkSmartPointer<vtkDataSet> Read(const char* first, std::size_t length)
   if (reader->GetErrorCode() != 0)
   {
     throw std::runtime_error("A piece of the input from another rank cannot be read by VTK's XML "
-                             "reader; use the same VTK on all ranks.");
+                             "reader; use the same version of VTK on all ranks.");
   }
   return reader->GetOutputAsDataSet();
 }
@@ -147,7 +147,7 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
     {
       throw std::invalid_argument(what + " has different kinds of data on ranks " +
         std::to_string(first) + " and " + std::to_string(rank) +
-        "; use one kind for all pieces: particles, polygons and lines, or images.");
+        "; use one kind for all pieces: only particles, only polygons or lines, or only images.");
     }
   }
   return kind;

@@ -61,7 +61,7 @@ constexpr double FactorsPerStep = 6.0;
 constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
-  "over their spacing. Undo this setting; or accept that, and set TimeIntegration to EXPLICIT.";
+  "over their spacing. Change this setting, or set TimeIntegration to EXPLICIT to accept this.";
 constexpr char NoSkinOnNodes[] =
   "The target has no surface that the voxels can resolve, or the obstacle covers it, so there "
   "is no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";

@@ -262,7 +262,7 @@ void SurfaceSettings::Check() const
     "continues the skin across the sides; set both controls to NONE, or unset PeriodicBounds.");
   Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
     "ArrivalTime needs a target that stands still, but the input moves in time; set ArrivalTime "
-    "to 0, or give one time step of the input.");
+    "to 0, or connect an input with one time step.");
   Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Parameters.Paper),
     "ArrivalTime needs distances, and is no part of the paper's scheme; turn NormalizeTarget on "
     "and PaperScheme off, or set ArrivalTime to 0.");

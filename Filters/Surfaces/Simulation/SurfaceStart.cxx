@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr char CoveredStart[] =
-  "The obstacle covers the initial shape, so there is no skin; move one of the two, or check that "
-  "ObstacleFunction is negative only inside the obstacle.";
+  "The obstacle covers the initial shape, so there is no skin; move the obstacle or the shape, or "
+  "check that ObstacleFunction is negative only inside the obstacle.";
 constexpr char StartWithoutSurface[] =
   "The initial shape (by default the target) has no surface within the bounds, or none that the "
   "voxels can resolve, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";

@@ -135,9 +135,9 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
   }
   if (this->EstimatedSpacing == 0.0)
   {
-    throw std::invalid_argument("The particles' spacing cannot be estimated, because all particles "
-                                "are at one point; set ParticleSpacing or KernelRadius, or choose "
-                                "an array of radii.");
+    throw std::invalid_argument(
+      "The particles' spacing cannot be estimated, because there is only one particle, or "
+      "particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
   }
   this->ReportSpacing(frame->HasRadii);
 }
@@ -151,7 +151,7 @@ void TargetBuilder::ReportSpacing(bool haveRadii) const
   }
   std::ostringstream text;
   text << "Neither ParticleSpacing nor KernelRadius is set, so a ParticleSpacing of "
-       << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set "
+       << this->EstimatedSpacing << ", the estimated distance between neighbours, is used. Set "
        << "ParticleSpacing to silence this message.";
   this->Messages.Say("spacing", text.str(), Warnings::Kind::Note);
 }

@@ -144,8 +144,8 @@ std::string DescribeNotFinite(vtkDataArray* values)
     return "";
   }
   return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
-    " values are not finite (NaN or infinity): voxels with such a corner have no surface. Replace "
-    "such values by a value inside or outside.";
+    " values are not finite (NaN or infinity), so voxels at these values have no surface. Replace "
+    "these values by finite values, inside or outside.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
@@ -160,8 +160,8 @@ std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
   std::ostringstream text;
   text << "Its values are from " << counts.Low << " to " << counts.High << ", and inside is "
        << (level.Invert ? "above " : "below ") << level.IsoValue
-       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above. If "
-       << "the values are labels, choose one label by vtkImageThreshold.";
+       << ", so nothing is inside; set TargetIsoValue, and turn InvertTarget on if inside is above "
+       << "it. If the values are labels, choose one label by vtkImageThreshold.";
   return text.str();
 }
 

@@ -25,8 +25,8 @@ vtkDataSet* CheckHasNoLines(vtkDataSet* data)
   {
     throw std::invalid_argument(
       "A vtkPolyData with both polygons and lines cannot be a target: polygons are a mesh, lines a "
-      "skeleton. Leave one of them out (vtkCleanPolyData makes lines of narrow polygons: "
-      "ConvertPolysToLinesOff).");
+      "skeleton. Remove the polygons or the lines. If vtkCleanPolyData made lines of narrow "
+      "polygons, call its ConvertPolysToLinesOff.");
   }
   return data;
 }

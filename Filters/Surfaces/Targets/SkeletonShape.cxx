@@ -130,7 +130,7 @@ std::string SkeletonShape::Prepare(const TargetOptions& options, const Warnings&
   return ignored == 0 ? ""
                       : std::to_string(ignored) +
       " points or segments are left out because a coordinate, radius or strength is not finite, "
-      "a radius is not > 0, or a point does not exist. Correct or remove these.";
+      "a radius is not > 0, or a point does not exist. Correct or remove these elements.";
 }
 
 void SkeletonShape::MoveBy(const double offset[3])
