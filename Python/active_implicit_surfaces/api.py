@@ -71,7 +71,8 @@ def skin(
     ValueError
         A value or an array does not fit, or the filter reports an error (the text is its message).
     TypeError
-        Unknown keyword (the text names the closest one), or particles of a wrong type.
+        Unknown keyword (the text names a similar one, if any), or particles or a value of a wrong
+        type.
 
     Examples
     --------
@@ -149,9 +150,10 @@ class frames(Skins):
         A value, a time or an array does not fit, no particle is selected, or the filter reports an
         error (the text is its message).
     TypeError
-        Unknown keyword (the text names the closest one), or particles of a wrong type.
+        Unknown keyword (the text names a similar one, if any), particles or a value of a wrong
+        type, or a function without times.
     OSError
-        A file cannot be read.
+        A file does not exist or cannot be read.
 
     Attributes
     ----------

@@ -37,7 +37,7 @@ def read_molecule(lines: list[str]) -> Frames:
             place += 1
             continue
         if not re.fullmatch(r"\s*\d+\s*", lines[place]):
-            raise ValueError(f"line {place + 1} is not the number of atoms of a frame")
+            raise ValueError(f"line {place + 1} is not the number of atoms of a frame; correct it")
         count = int(lines[place])
         comment = lines[place + 1] if place + 1 < len(lines) else ""
         pairs = {name.lower(): value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
@@ -55,12 +55,12 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
     width = max(first + size for _, _, first, size in columns)
     if len(rows) < count:
-        raise ValueError(f"it has fewer atoms than the {count} of line {place + 1}")
+        raise ValueError(f"it has fewer atoms than the {count} of line {place + 1}; write it again")
     short = next((i for i, row in enumerate(rows) if len(row) < width), None)
     if short is not None:
         raise ValueError(
             f"line {place + 3 + short} has {len(rows[short])} column(s), but an atom has {width}; "
-            f"or the file has fewer atoms than the {count} of line {place + 1}"
+            f"or the file has fewer atoms than the {count} of line {place + 1}; correct the file"
         )
     frame: Frame = {}
     for name, kind, first, size in columns:
@@ -113,7 +113,8 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
         numbers = [[number(cell) for cell in row] for row in cells]
         if kind != "R" or any(None in row for row in numbers):
             raise ValueError(
-                f"its column {name} has a value that is not a number ({error})"
+                f"its column {name} has a value that is not a number of its kind ({error}); "
+                "correct it"
             ) from error
         values = numpy.array(numbers, dtype=float)
     if lower in ("pos", "positions", "position"):
@@ -128,7 +129,7 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
     if len(numbers) != 9:
-        raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
+        raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9; correct it")
     repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
     cell = {
         "Lattice": numpy.array(numbers).reshape(3, 3),
@@ -238,11 +239,12 @@ def read_gro(path: Path) -> Frames:
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
         if not re.fullmatch(r"\s*\d+\s*", "".join(lines[place + 1 : place + 2])):
-            raise ValueError(f"line {place + 2} is not the number of atoms")
+            raise ValueError(f"line {place + 2} is not the number of atoms; correct it")
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
             raise ValueError(
-                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}"
+                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}; "
+                "write it again"
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1][FIELD] = _edges_of(lines[end])
@@ -277,7 +279,7 @@ def _edges_of(line: str) -> Frame:
     are_apart = all(cell.count(".") < 2 for cell in line.split())
     cells = [*map(float, line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line))]
     if len(cells) not in (3, 9):
-        raise ValueError(f"its box has {len(cells)} numbers, not 3 or 9")
+        raise ValueError(f"its box has {len(cells)} numbers, not 3 or 9; correct it")
     x, y, z, *rest = cells
     xy, xz, yx, yz, zx, zy = rest or 6 * [0.0]
     return {"Lattice": numpy.array([[x, xy, xz], [yx, y, yz], [zx, zy, z]])}
@@ -302,7 +304,7 @@ def read_pdb(path: Path) -> Frames:
         elif line.startswith("CRYST1"):
             field = _cell_of(_numbers_in({place: line}, _CELL)[0])
     if not models[0]:
-        raise ValueError("it has no ATOM or HETATM")
+        raise ValueError("it has no ATOM or HETATM; choose a file with atoms")
     frames = [{**_read_pdb_frame(lines), FIELD: field} for lines in models if lines]
     add_elements(frames, are_names=True)
     return frames, None
@@ -347,5 +349,7 @@ def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> An
         try:
             table[row] = [float(line[start:end]) for start, end in columns]
         except ValueError as error:
-            raise ValueError(f"line {place} has no number in a column that needs one") from error
+            raise ValueError(
+                f"line {place} has no number in a column that needs one; correct it"
+            ) from error
     return table

@@ -141,7 +141,7 @@ def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
         found = found or fnmatch.filter(there, path.name.replace("[", "[[]"))
     if not found:
         what = "No file fits the pattern" if is_pattern else "There is no file"
-        hint = "; there is no such folder, and only the name of a file may be a pattern"
+        hint = "; its folder does not exist, and only the name of a file may be a pattern"
         raise OSError(f"{what} {path}{'' if path.parent.is_dir() else hint}.")
     numbers_in = _numbers_in(found)
     found.sort(key=lambda name: natural_key(name, numbers_in))
@@ -185,7 +185,7 @@ def read_index(index: Path) -> Listing:
     except (KeyError, TypeError) as error:
         raise OSError(
             f"{index} is no index of a series of files: an entry has no "
-            f"{'file' if suffix_of(index) == '.pvd' else 'name and time'}."
+            f"{'file' if suffix_of(index) == '.pvd' else 'name and time'}; correct it."
         ) from error
     except (ValueError, ElementTree.ParseError) as error:
         raise OSError(f"{index} is no index of a series of files: {error}.") from error

@@ -89,7 +89,7 @@ class LiveSurface:
             Wrong `dt`, value or array, or an error of the filter; the next call continues from
             the last skin.
         TypeError
-            Unknown keyword, or particles of a wrong type.
+            Unknown keyword, or particles or a value of a wrong type.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")

@@ -93,9 +93,9 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         warn(
-            f"A {suffix} file has numbers of single precision, which move points by up to "
-            f"{rounding:.2g} here, where edges are {edge:.2g} long; write .ply, .obj or .vtp, or "
-            "move the data near the origin."
+            f"A {suffix} file rounds points to single precision, by up to {rounding:.2g} here, "
+            f"where edges are {edge:.2g} long; write .ply, .obj or .vtp, or move the data near the "
+            "origin."
         )
 
 

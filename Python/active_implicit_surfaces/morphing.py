@@ -54,11 +54,11 @@ class morph(Skins):
     Raises
     ------
     ValueError
-        The filter reports an error (the text is its message), duration, frames or fit are out of
-        range, or a skin is empty although `b` is not.
+        A value is out of range, a shape is not usable, the filter reports an error (the text is the
+        filter's message), or a skin is empty although `b` is not.
     TypeError
-        Unknown keyword (the text names the closest one), a keyword that follows from duration and
-        frames, or a shape of a wrong type.
+        Unknown keyword (the text names a similar one, if any), a keyword that follows from duration
+        and frames, a shape or a value of a wrong type, or `fit` with a function.
 
     Warns
     -----
@@ -187,8 +187,8 @@ def _describe_difference(first: Any, last: Any) -> str:
         return ""
     return (
         f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
-        f"{apart:g} apart. If the shapes differ in unit or place, fit the last shape to the first: "
-        "--fit box (size and place), or --fit centre (place)."
+        f"{apart:g} apart. If they differ in unit or place, fit the last shape to the first by the "
+        "option fit: box for size and place, centre for place."
     )
 
 

@@ -24,8 +24,9 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     for box in boxes:
         if numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size:
             raise ValueError(
-                f"The periodic box changes, from {_text(boxes[0])} to {_text(box)}; the filter "
-                "needs one box. Give periodic_bounds, for all frames, in place of periodic."
+                f"The periodic box changes its sides ({_text(boxes[0])}, then {_text(box)}) or its "
+                "place; the filter needs one box. Give periodic_bounds for all frames in place of "
+                "periodic."
             )
     return boxes[0]
 

@@ -72,7 +72,7 @@ def find(keyword: str) -> Property:
     Raises
     ------
     TypeError
-        There is no such property; the text names the closest one.
+        There is no such property; the text names a similar one, if any.
     """
     found = _table().get(keyword)
     if found is None:

@@ -48,8 +48,8 @@ class ActiveSurfaceAccessor:
         ValueError
             A value or an array does not fit, or the filter reports an error.
         TypeError
-            Unknown keyword (the text names the closest one), or the data set is an ImageData or a
-            RectilinearGrid.
+            Unknown keyword (the text names a similar one, if any), a value of a wrong type, or the
+            data set is an ImageData or a RectilinearGrid.
 
         Examples
         --------

@@ -192,6 +192,8 @@ class ParticleSeries(TemporalSource):
     ValueError
         Times do not increase, or are not one for each frame; times and fps are both given; no frame
         is given; a condition is malformed.
+    TypeError
+        A callable is given without times.
     OSError
         A file does not exist or cannot be read.
 

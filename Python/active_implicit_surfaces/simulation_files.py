@@ -94,7 +94,7 @@ def read_dump(path: Path) -> Frames:
         is_binary, end = b"\0" in content[:4096], len(content)
     if not found:
         raise ValueError(
-            "it is binary; write it as text" if is_binary else "it is no dump of LAMMPS"
+            "it is binary; write it as text" if is_binary else "it is no dump of LAMMPS; choose one"
         )
     ends = [*(start for start, _ in found[1:]), end]
     frames = [functools.partial(_read_dumped, path, *cut) for cut in zip(dict(found), ends)]
@@ -123,7 +123,10 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
     opening = next((one for one in _OPENINGS if "x" + one in names), "")
     columns = group_columns([re.sub(f"^([xyz]){opening}$", r"\1", names[i]) for i in used])
     if "positions" not in columns:
-        raise ValueError(f"its atoms have no numbers x, y and z; they have {', '.join(names)}")
+        raise ValueError(
+            "its atoms have no columns x y z (or xs, xu, xsu ...) of numbers, but "
+            f"{', '.join(names)}; write the dump with x y z"
+        )
     frame: Frame = {FIELD: field}
     for name, own in columns.items():
         values = table[:, own if len(own) > 1 else own[0]]
@@ -171,7 +174,9 @@ def _hdf5(path: Path) -> Iterator[Any]:
         with h5py.File(path) as file:
             yield file
     except (OSError, KeyError, AttributeError, TypeError) as error:
-        raise ValueError(f"it is damaged, or no .hdf5 of PySPH ({error})") from error
+        raise ValueError(
+            f"it is damaged, or no .hdf5 of PySPH ({error}); write it again"
+        ) from error
 
 
 def _read_kinds(path: Path) -> Frame:
@@ -180,7 +185,7 @@ def _read_kinds(path: Path) -> Frame:
     parts = [part for part in parts if len(part["array"])] or parts[:1]
     held = [name for name in parts[0] if all(name in part for part in parts)] if parts else []
     if not {*"xyz"} <= {*held}:
-        raise ValueError("it has no particles with x, y and z")
+        raise ValueError("it has no particles with x, y and z; write these arrays")
     frame = {name: numpy.concatenate([part[name] for part in parts]) for name in held}
     for name, axes in (("positions", "xyz"), ("Velocity", "uvw")):
         if {*axes} <= frame.keys():

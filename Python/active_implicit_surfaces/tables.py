@@ -116,7 +116,7 @@ def _vectors_in(
 
 def _no_positions(names: Sequence[str]) -> str:
     named = few(filter(None, names)) or "none with a name"
-    return f"it has no columns x, y and z of numbers; it has {named}"
+    return f"it has no columns x, y and z of numbers (name or add them); it has {named}"
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -182,10 +182,11 @@ def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> 
 
 def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> str:
     said = (
-        f"line {row + 1} has {len(cells)} column(s), but the header (line {place + 1}) {len(names)}"
+        f"line {row + 1} has {len(cells)} column(s), but the header, line {place + 1}, has "
+        f"{len(names)}"
     )
     are_commas = len(cells) > len(names)
-    return said + ("; write decimal points, or separate columns by ;" if are_commas else "")
+    return said + ("; write decimal points, or separate columns by ;" if are_commas else "; fix it")
 
 
 def _find_numbers(lines: list[str]) -> _Form:
@@ -201,7 +202,9 @@ def _find_numbers(lines: list[str]) -> _Form:
             return _Form(separator, names if is_header else [], row)
     first = _split(lines[rows[0]], "," if "," in lines[rows[0]] else None) if rows else []
     if first and all(map(_is_number, first)):
-        raise ValueError(f"it has {len(first)} column(s) of numbers, not x, y and z")
+        raise ValueError(
+            f"it has {len(first)} column(s) of numbers; write at least three, x, y and z"
+        )
     raise ValueError(_no_positions(first) if rows else "it is empty")
 
 
@@ -249,11 +252,13 @@ def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     table, width = [], len(form.names) or max(form.columns) + 1
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
-            raise ValueError(f"line {place} has {len(cells)} column(s), other lines {width}")
+            raise ValueError(
+                f"line {place} has {len(cells)} column(s), other lines {width}; fix it"
+            )
         values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:
             wrong = cells[form.columns[values.index(None)]]
-            raise ValueError(f'line {place} has "{wrong}" in place of a number')
+            raise ValueError(f'line {place} has "{wrong}" in place of a number; correct it')
         table.append(values)
     return numpy.array(table, dtype=float)
 
@@ -284,11 +289,16 @@ def _load_texts(lines: list[str], form: _Form, columns: dict[str, int], count: i
 
 def _headless(table: Any) -> Frame:
     if table.shape[1] < 3:
-        raise ValueError(f"it has {table.shape[1]} column(s) of numbers, not x, y and z")
+        raise ValueError(
+            f"it has {table.shape[1]} column(s) of numbers; write at least three, x, y and z"
+        )
     first = 0
     if table.shape[1] > 3 and len(table) > 2 and _counts_rows(table[:, 0]):
         first = 1
-        warn("its first column numbers the rows, and the next three are used as x, y and z.")
+        warn(
+            "its first column numbers the rows, so the next three are used as x, y and z; name the "
+            "columns if this is wrong."
+        )
     more = {f"column {i}": table[:, i] for i in range(first + 3, table.shape[1])}
     return {"positions": table[:, first : first + 3], **more}
 

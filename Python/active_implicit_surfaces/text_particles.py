@@ -57,7 +57,10 @@ def read_xyz(path: Path) -> Frames:
     content = path.read_bytes()
     if b"\0" in content[:4096] and content[:2] not in _UTF_16:
         if len(content) % 12:
-            raise ValueError("it is no text, and its size is not a multiple of three 32-bit floats")
+            raise ValueError(
+                "it is neither text nor 32-bit floats x y z (its size is no multiple of 12 bytes); "
+                "copy or write it again"
+            )
         return [{"positions": numpy.frombuffer(content, "<f4").reshape(-1, 3)}], None
     text = _text_of(content)
     if re.match(r"\s*\d+[ \t]*(\r?\n|$)", text):
@@ -73,7 +76,9 @@ def read_json(path: Path) -> Frames:
     if isinstance(data, list):
         return _from_arrays({"positions": _even_array("list", data)})
     if not isinstance(data, dict):
-        raise ValueError("it is neither a list of positions nor an object of arrays")
+        raise ValueError(
+            "it is neither a list of positions nor an object of arrays; write it as one of these"
+        )
     return _from_arrays(
         {
             # pandas writes a column as an object of its rows.
@@ -89,7 +94,9 @@ def _even_array(what: str, values: Any) -> Any:
     try:
         found = numpy.array(values)
     except ValueError:
-        raise ValueError(f"its {what} has rows of different lengths") from None
+        raise ValueError(
+            f"its {what} has rows of different lengths; write rows of one length"
+        ) from None
     if found.dtype == object and all(isinstance(cell, (str, type(None))) for cell in values):
         return numpy.array([cell or "" for cell in values])
     return found
@@ -121,14 +128,17 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     if found is None and len(arrays) == 1:
         found = next(iter(arrays))
     if found is None or (found.lower() == "x" and "y" in names and "z" not in names):
-        raise ValueError(f"it has no array of positions; it has {', '.join(arrays) or 'nothing'}")
+        raise ValueError(
+            f"it has no array of positions, but {', '.join(arrays) or 'nothing'}; write an array "
+            "positions"
+        )
     if found.lower() == "x" and "y" in names:
         arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
         found = "positions"
     positions = arrays[found]
     positions = positions.reshape(0, 3) if positions.shape == (0,) else positions
     if positions.dtype.kind not in "iuf":
-        raise ValueError(f'its array "{found}" holds values that are not numbers')
+        raise ValueError(f'its array "{found}" holds values that are not numbers; write numbers')
     if positions.ndim not in (2, 3) or positions.shape[-1] != 3:
         raise ValueError(
             f'its array "{found}" has the shape {positions.shape}; positions need the shape (n, 3) '
@@ -141,7 +151,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         if counts.shape != positions.shape[:1]:  # else an array of the particles
             raise ValueError(
                 f'its array "counts" adds up to {int(counts.sum())}, but "{found}" has '
-                f"{len(positions)} rows"
+                f"{len(positions)} rows; correct one of the two"
             )
     moving = positions if positions.ndim == 3 else positions[None]
     frames = [{"positions": frame} for frame in moving]
@@ -183,10 +193,13 @@ def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
         if name in arrays and arrays[name].shape == (count,):
             return [float(time) for time in arrays[name]]
     if "times" in arrays and arrays["times"].ndim == 1:
-        raise ValueError(f'its array "times" has {len(arrays["times"])} values for {count} frames')
+        raise ValueError(
+            f'its array "times" has {len(arrays["times"])} values for {count} frames; '
+            "write one for each frame"
+        )
     if "fps" in arrays and arrays["fps"].size == 1:
         rate = float(arrays["fps"].ravel()[0])
         if not rate > 0:
-            raise ValueError(f'its "fps" is {rate:g}, not a number above 0')
+            raise ValueError(f'its "fps" is {rate:g}, not a number above 0; correct it')
         return [step / rate for step in range(count)]
     return None

@@ -62,7 +62,7 @@ class Files(CommandTest):
 
     def test_a_stl_says_it(self):
         said, path = self.write(".stl")
-        self.assertIn("A .stl file has numbers of single precision, which move points by", said)
+        self.assertIn("A .stl file rounds points to single precision, by up to", said)
         with self.assertWarnsRegex(ActiveSurfaceWarning, "multiples of 0.5 here, where edges are"):
             read_shape(path)
 

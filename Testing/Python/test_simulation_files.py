@@ -128,7 +128,7 @@ class Dumps(ReaderTest):
             ("it is no dump", "1 2 3\n"),
             ("it is binary; write it as text", b"\0\1" + bytes(90)),
             ("its frame is damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),
-            ("have no numbers x, y and z; they have id, type, a", whole.replace("x y z", "a b c")),
+            ("of numbers, but id, type, a", whole.replace("x y z", "a b c")),
         ):
             self.assert_refused(words, self.put("a.dump", text))
 
