@@ -79,8 +79,8 @@ def as_shape(shape: Any) -> Any:
     `shape` is a vtkPointSet or vtkImageData, or an object with `vertices` and `faces` (as
     trimesh's), or with `points` and `cells` (as meshio's).
 
-    Raises ValueError if a VTK mesh has neither polygons nor lines, or `cells` has no polygons;
-    TypeError for another object.
+    Raises ValueError if a VTK mesh has neither polygons nor lines, `cells` has no polygons, or
+    `faces` is no table of point ids; TypeError for another object.
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape

@@ -90,8 +90,7 @@ class ParticleFiles:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        if the array of a condition is missing; for a single frame also if no particle has a value
-        of the condition, or no pixel the label.
+        as `choose` does, but in a series not for an absent value or an image's absent label.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:

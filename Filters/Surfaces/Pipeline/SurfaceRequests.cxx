@@ -310,7 +310,7 @@ void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
   {
     this->Simulation.Warn("no pieces",
       "The input does not publish CAN_HANDLE_PIECE_REQUEST, so it is read on rank 0 only. If other "
-      "ranks have parts of the input, publish this key.");
+      "ranks have parts of the input, let the source publish this key.");
   }
 }
 

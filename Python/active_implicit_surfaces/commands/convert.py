@@ -147,7 +147,8 @@ def make_parser() -> Parser:
         "--level",
         type=float,
         metavar="X",
-        help="value on the surface of an image (default: by kind: distance 0, fog 0.5, mask mean)",
+        help="value at the surface of an image (default: distance 0, fog and fractions 0.5, "
+        "mask half-way)",
     )
     add_choice_options(parser)
     add_up_option(parser, "found; y in a .usdc", "in a .glb or .usdc")

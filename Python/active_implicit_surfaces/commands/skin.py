@@ -165,7 +165,7 @@ def make_parser() -> Parser:
         "--probe",
         type=float,
         metavar="X",
-        help="radius of a probe that rolls over atoms (water: 1.4)",
+        help="radius of a probe that rolls over atoms (water: 1.4 Angstrom)",
     )
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
