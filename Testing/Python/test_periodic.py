@@ -331,7 +331,7 @@ class Files(CommandTest):
         self.write("2 0 0 0.5 2 0 0 0 5")
         self.assertIn("slanted (triclinic)", self.fail_with(1, *command))
         self.write("2 0 0 0 2 0 0 0 5", "2.1 0 0 0 2 0 0 0 5")
-        self.assertIn("changes, from 2 x 2", self.fail_with(1, *command))
+        self.assertIn("changes its sides (2 x 2", self.fail_with(1, *command))
         numpy.save(self.folder / "p.npy", water(0))
         command = ("skin", "p.npy", "--periodic", "-o", "a.vtp")
         self.assertIn("have no box", self.fail_with(1, *command))
