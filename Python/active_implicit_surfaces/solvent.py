@@ -77,8 +77,8 @@ def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
     _, counts = numpy.unique(cells, axis=0, return_counts=True)
     if 4 * int((counts.astype(numpy.int64) ** 2).sum()) > MOST_PAIRS:
         raise ValueError(
-            f"A probe of radius {probe:g} touches too many atoms at once; reduce the radius. The "
-            "usual probe, water, has 1.4 Angstrom; give the radius in the length unit of the atoms."
+            f"A probe of radius {probe:g} touches too many atoms at once; reduce the radius. A "
+            "probe of water has 1.4 Angstrom, to be given in the length unit of the atoms."
         )
 
 

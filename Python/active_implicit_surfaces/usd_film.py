@@ -30,7 +30,9 @@ _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.g
 def check_usd(path: Path) -> None:
     """Raises OSError if a film of this name cannot be written here."""
     if has_number(path):
-        raise OSError(f"{path} holds all frames in one file; remove the frame number.")
+        raise OSError(
+            f"{path} holds all frames in one file; remove the frame number from the name."
+        )
     try:
         import pxr.Usd  # noqa: F401
     except ImportError as error:

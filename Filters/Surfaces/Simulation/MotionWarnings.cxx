@@ -97,7 +97,7 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
     return;
   }
   text << "The skin has not reached a steady state after " << rest.MaximumSubsteps
-       << " substeps: its speed is " << report.SurfaceSpeed
+       << " substeps: its largest speed is " << report.SurfaceSpeed
        << " voxels per unit of motion time, and RestTolerance is " << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
