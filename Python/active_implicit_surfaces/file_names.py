@@ -188,7 +188,7 @@ def read_index(index: Path) -> Listing:
             f"{'file' if suffix_of(index) == '.pvd' else 'name and time'}; correct it."
         ) from error
     except (ValueError, ElementTree.ParseError) as error:
-        raise OSError(f"{index} is no index of a series of files: {error}.") from error
+        raise OSError(f"{index} is no index of a series of files: {error}; correct it.") from error
     if not entries:
         raise OSError(f"{index} lists no files.")
     frames: list[dict[str, str]] = []

@@ -157,14 +157,16 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                 _note(
                     noted,
                     path,
-                    f"it has {len(loaders)} frames; a series uses only the first frame of a file.",
+                    f"it has {len(loaders)} frames; a series of files uses only the first of them; "
+                    "open the file alone to use all.",
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
             _note(
                 noted,
                 parts[0],
-                f"arrays left out: {', '.join(lost)}; some parts of the frame lack these arrays.",
+                f"arrays left out: {', '.join(lost)}; some parts of the frame lack these arrays; "
+                "write the arrays in all parts.",
             )
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
             raise OSError(

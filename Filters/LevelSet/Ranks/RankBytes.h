@@ -52,7 +52,8 @@ public:
     static_assert(std::is_trivially_copyable_v<Value>);
     if (count > this->Left / sizeof(Value))
     {
-      throw std::logic_error("Another rank sent fewer bytes than this rank expects.");
+      throw std::logic_error("Another rank sent fewer bytes than this rank expects; use one "
+                             "version of the library on all ranks.");
     }
     std::vector<Value> values(count);
     if (count > 0)

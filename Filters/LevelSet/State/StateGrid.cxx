@@ -30,8 +30,8 @@ double GetNumber(const openvdb::FloatGrid& grid, const char* name)
   const auto number = grid.getMetadata<openvdb::DoubleMetadata>(name);
   if (!number || !std::isfinite(number->value()))
   {
-    throw std::runtime_error(
-      std::string("the number ") + name + " of its grid is missing or not finite.");
+    throw std::runtime_error(std::string("the number ") + name +
+      " of the saved state is missing or not finite; the file is damaged.");
   }
   return number->value();
 }
@@ -89,7 +89,8 @@ StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid)
   {
     if (!std::isfinite(*value))
     {
-      throw std::runtime_error("a value of its potential is not finite; the file is damaged.");
+      throw std::runtime_error(
+        "a value of the saved potential is not finite; the file is damaged.");
     }
   }
   CheckTree(grid.tree());

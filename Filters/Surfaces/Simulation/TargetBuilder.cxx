@@ -185,8 +185,8 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   options.When = this->DescribeStep(step);
   // A level of a mesh needs distances on both sides of that level.
   options.MeshReach = options.Reach + std::fabs(this->Settings.IsoValue);
-  options.MeshHint = " (Reach is here TargetReach plus the absolute value of TargetIsoValue, and "
-                     "the maximum is ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshHint = " (Reach is here TargetReach plus the absolute value of TargetIsoValue; "
+                     "MaximumNumberOfVoxels is ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + options.When + ": ";
   this->Report("flaw of the target", this->PrepareShape(shape, options, where));
@@ -216,7 +216,7 @@ void TargetBuilder::PrepareInitial()
   options.SmoothsLabels = false;
   options.When = "of input port 1";
   options.MeshReach = InitialReach * this->Domain.VoxelSize;
-  options.MeshHint = " (The maximum is here ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshHint = " (MaximumNumberOfVoxels is here ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
     this->PrepareShape(*this->Initial, options, "The input of port 1, Initial: "));
 }
