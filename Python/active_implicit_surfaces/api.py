@@ -197,9 +197,7 @@ class frames(Skins):
         is_source = isinstance(particles, TemporalSource)
         of_series = times is not None or fps is not None or where
         if isinstance(particles, ParticleSeries) and of_series:
-            raise ValueError(
-                "A ParticleSeries has times, fps and where of its own; leave these out."
-            )
+            raise ValueError("Give times, fps and where to the ParticleSeries, not to frames.")
         options = properties.given(options)
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
