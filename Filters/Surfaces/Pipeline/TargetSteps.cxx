@@ -109,8 +109,9 @@ std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   {
     throw std::runtime_error("The time step " + Format(time) +
       " of the input is needed again, but the input provides each time step once "
-      "(NO_PRIOR_TEMPORAL_ACCESS). Request times in ascending order, or set CheckpointInterval to "
-      "1, which stores the skins of earlier times.");
+      "(NO_PRIOR_TEMPORAL_ACCESS). Request times in ascending order, and do not change a property "
+      "that restarts the motion; or, for earlier time steps, set CheckpointInterval to 1 and raise "
+      "CheckpointMemory.");
   }
   this->LastUpdateFailed = true;
   if (!this->Target.Update(target, time))
