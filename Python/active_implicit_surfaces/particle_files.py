@@ -158,7 +158,7 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                     noted,
                     path,
                     f"it has {len(loaders)} frames; a series of files uses only the first of them; "
-                    "open the file alone to use all.",
+                    "open this one file to use all.",
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
