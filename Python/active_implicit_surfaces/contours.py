@@ -98,11 +98,12 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """Returns level - values if inside is above; else the image itself, whatever the level."""
-    if not above:
+    """Returns an image that is 0 at the level and negative inside; the image itself if it is so."""
+    if not above and level == 0:
         return image
     own, values = _with_point_values(image)
-    return _like(own, "distance", level - values.astype(float))
+    over = values.astype(float) - level
+    return _like(own, "distance", -over if above else over)
 
 
 def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:

@@ -8,8 +8,10 @@ import unittest
 
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
+from active_implicit_surfaces.contours import as_level_set, level_of_series
 from listener import Listener
 from shapes import image_of, volume_of, with_properties
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger
 
 SIZE, RADIUS = 50, 15.3
@@ -44,6 +46,14 @@ class Levels(unittest.TestCase):
             with self.subTest(low=low, high=high, kind=kind):
                 self.check(numpy.where(INSIDE, high, low).astype(kind))
                 self.check(numpy.where(INSIDE, high, low).astype(kind), InvertTarget=1)
+
+    def test_the_start_of_a_morph_is_zero_midway_between_two_values(self):
+        for inside, outside, half in ((-3.0, 1.0, 2), (-1.0, 1.0, 1), (7, 0, 3.5)):
+            image = image_of(numpy.where(INSIDE, inside, outside), (1, 1, 1))
+            level_set = as_level_set(image, *level_of_series([image]))
+            found = vtk_to_numpy(level_set.GetPointData().GetScalars())
+            wanted = image_of(numpy.where(INSIDE, -half, half), (1, 1, 1)).GetPointData()
+            numpy.testing.assert_array_equal(found, vtk_to_numpy(wanted.GetScalars()))
 
     def test_fractions(self):
         fraction = numpy.clip(0.5 - DISTANCE, 0, 1)
