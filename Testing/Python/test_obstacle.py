@@ -5,6 +5,7 @@ Run: python3 test_obstacle.py
 """
 
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -261,6 +262,16 @@ class WhatCannotBe(unittest.TestCase):
         surface.SetObstacleFunction(ground())
         surface.UpdateTimeStep(0.5)
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_an_error_names_the_position_in_the_world(self):
+        nowhere = vtkQuadric()
+        nowhere.SetCoefficients([math.nan] * 10)
+        surface = make_surface(nowhere, ModelBounds=(1e5 - 1, 1e5 + 1, -1, 1, -1, 1))
+        surface.SetTargetFunction(ball(RADIUS, center=(1e5, 0, 0)))
+        messages = Listener(surface)
+        surface.UpdateTimeStep(0.5)
+        found = re.search(r"within 0.35 of \(([^,]*), ([^,]*), ([^,]*)\)", messages.errors[0])
+        self.assertLess(abs(float(found[1]) - 1e5), 2)
 
 
 if __name__ == "__main__":

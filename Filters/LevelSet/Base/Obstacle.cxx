@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iomanip>
 #include <iterator>
 #include <memory>
 #include <sstream>
@@ -56,10 +58,12 @@ struct Obstacle::SampledDepths
   ~SampledDepths() { ReleaseUnlessExiting(std::move(this->Tree)); }
 };
 
-Obstacle::Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe)
+Obstacle::Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe,
+  const std::array<double, 3>& origin)
   : VoxelSize(voxelSize)
   , Distances(distances)
   , ThreadSafe(isThreadSafe)
+  , Origin(origin)
   , Depths(std::make_unique<SampledDepths>())
 {
 }
@@ -199,10 +203,14 @@ void Obstacle::Check() const
 {
   if (this->IsBad)
   {
+    double first[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = this->Origin[axis] + this->VoxelSize * this->BadLeaf[axis];
+    }
     std::ostringstream text;
-    text << "ObstacleFunction is not a number within " << 7.0 * this->VoxelSize << " of ("
-         << this->VoxelSize * this->BadLeaf[0] << ", " << this->VoxelSize * this->BadLeaf[1] << ", "
-         << this->VoxelSize * this->BadLeaf[2]
+    text << std::setprecision(10) << "ObstacleFunction is not a number within "
+         << 7.0 * this->VoxelSize << " of (" << first[0] << ", " << first[1] << ", " << first[2]
          << ") along each axis; return a number wherever the skin moves.";
     throw std::runtime_error(text.str());
   }

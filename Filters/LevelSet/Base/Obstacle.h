@@ -33,7 +33,9 @@ public:
   /** Distance beyond which the obstacle has no effect [voxels]; more than half the band's width. */
   static constexpr float Reach = 8.f;
 
-  Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe);
+  /** origin: position of node 0, for messages; the function's points are relative to it. */
+  Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe,
+    const std::array<double, 3>& origin = {});
   Obstacle(const Obstacle&) = delete;
   void operator=(const Obstacle&) = delete;
   ~Obstacle();
@@ -65,6 +67,7 @@ private:
   const double VoxelSize;
   const DistanceFunction Distances;
   const bool ThreadSafe;
+  const std::array<double, 3> Origin;
   struct SampledDepths;
   std::unique_ptr<SampledDepths> Depths;
   bool IsBad = false;

@@ -47,7 +47,7 @@ std::unique_ptr<Obstacle> MakeObstacle(
       results[i] = FindDistance(results[i], gradients.data() + 3 * i);
     }
   };
-  return std::make_unique<Obstacle>(voxelSize, distances, sampler->IsThreadSafe());
+  return std::make_unique<Obstacle>(voxelSize, distances, sampler->IsThreadSafe(), origin);
 }
 
 // Least number of explicit substeps from one step to the next over a moving target. The target is
