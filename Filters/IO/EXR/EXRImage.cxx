@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <new>
 
 namespace activesurface
 {
@@ -179,6 +180,11 @@ void Guard(const EXRInput& input, const Action& action)
   catch (const FileError&)
   {
     throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw FileError(vtkErrorCode::UnknownError,
+      "there is not enough memory for its pixels; free memory, or crop or shrink the image");
   }
   catch (const std::exception& error)
   {
