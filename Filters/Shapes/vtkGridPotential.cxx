@@ -226,8 +226,8 @@ void vtkGridPotential::ReadSamples()
   if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)
   {
     vtkWarningMacro(<< own.Defects
-                    << " Correct the mesh. Holes are closed by winding numbers if MeshThickness "
-                    << "is 0; for a shell of an open mesh, set MeshThickness > 0.");
+                    << " Correct the mesh. With MeshThickness > 0 an open mesh becomes a shell; "
+                    << "with 0 its holes are closed by winding numbers.");
   }
 }
 

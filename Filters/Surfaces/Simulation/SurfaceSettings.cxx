@@ -168,8 +168,9 @@ void CheckProperty(const Property& property, double value)
 {
   if (!property.Range.Includes(value))
   {
-    throw std::invalid_argument(
-      std::string(property.Name) + " has to be " + property.Range.Words + ".");
+    std::ostringstream text;
+    text << property.Name << " has to be " << property.Range.Words << ", but is " << value << ".";
+    throw std::invalid_argument(text.str());
   }
 }
 

@@ -200,7 +200,7 @@ struct SurfaceSettings
   void Check() const;
 };
 
-// Valid numbers of a property. Words: end of the message "<Name> has to be <Words>."
+// Valid numbers of a property. Words: for the message "<Name> has to be <Words>, but is ...".
 struct PropertyRange
 {
   double Low;

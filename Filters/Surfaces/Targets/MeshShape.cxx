@@ -67,7 +67,9 @@ std::string MeshShape::Prepare(const TargetOptions& options, const Warnings&)
   }
   catch (const std::runtime_error& error)
   {
-    throw std::runtime_error(error.what() + options.MeshHint);
+    const std::string text = error.what();
+    const bool isOfSize = text.find("MaximumNumberOfVoxels") != std::string::npos;
+    throw std::runtime_error(isOfSize ? text + options.MeshHint : text);
   }
   this->Function = grid;
   const std::string defects = grid->GetDefects();

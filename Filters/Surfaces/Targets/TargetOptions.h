@@ -55,7 +55,7 @@ struct TargetOptions
   bool OpensHollows = false;
 
   std::string When;     //< "at the time step 2", for messages
-  std::string MeshHint; //< appended to each error of a mesh; explains MeshReach and MeshVoxels
+  std::string MeshHint; //< appended to errors of size; explains MeshReach, MeshVoxels
 
   /** Returns true if the distinction between bodies and isolated particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }

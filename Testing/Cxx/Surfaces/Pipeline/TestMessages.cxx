@@ -108,7 +108,7 @@ TEST(TestMessages, NumbersThatCannotBeAreErrors)
     { "Attraction has to be", [](Filter f) { f->SetAttraction(NaN); } },
     { "Tension has to be", [](Filter f) { f->SetTension(NaN); } },
     { "CFL has to be", [](Filter f) { f->SetCFL(0.0); } },
-    { "CFL has to be", [](Filter f) { f->SetCFL(1.5); } },
+    { "but is 1.5.", [](Filter f) { f->SetCFL(1.5); } },
     { "TimeScale has to be", [](Filter f) { f->SetTimeScale(-1.0); } },
     { "KernelRadius has to be", [](Filter f) { f->SetKernelRadius(NaN); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(NaN); } },
