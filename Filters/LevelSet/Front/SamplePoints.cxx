@@ -145,7 +145,7 @@ void RunSamples(const SampledLattice& lattice, const LeafList& leaves, const Ker
   }
   else
   {
-    ForEachLeafInTurn(lattice.Leaves, leaves, sample);
+    ForEachLeafInTurn(leaves, sample);
   }
 }
 

@@ -42,7 +42,7 @@ void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& k
 
 /** Calls kernel(i) for the leaves of a list, in this thread and in the list's order. */
 template <class Kernel>
-void ForEachLeafInTurn(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
+void ForEachLeafInTurn(const LeafList& leaves, const Kernel& kernel)
 {
   const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
   for (const std::int32_t i : leaves)

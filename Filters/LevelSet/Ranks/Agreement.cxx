@@ -112,7 +112,8 @@ std::vector<Bytes> Agreement::GatherToFirst(Bytes own) const
 
 bool Agreement::GoOn(bool own) const
 {
-  const std::vector<std::int64_t> all = this->Begin(own ? 0 : Stopping);
+  const std::vector<std::int64_t> all =
+    this->Begin(own ? std::int64_t{ 0 } : std::int64_t{ Stopping });
   return std::find(all.begin(), all.end(), Stopping) == all.end();
 }
 
