@@ -15,11 +15,13 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest, grid
 from reader_checks import array_of
-from shapes import image_of, volume_of, write
+from shapes import image_of, points_of, volume_of, write
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkFiltersCore import vtkThresholdPoints
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
+SHIFTS = 0.05 * numpy.arange(6)
 QUIET = ("--quiet", "--particle-spacing", 0.1)
 
 
@@ -101,6 +103,36 @@ class Conditions(unittest.TestCase):
         way = active.frames(points, fps=10, output_fps=40, minimum_piece=9, particle_spacing=0.1)
         numpy.testing.assert_allclose([time for time, _ in way], numpy.arange(9) / 40)
         self.assertLess(next(way).skin.GetBounds()[1], 1)
+
+    def test_a_threshold_upstream_gives_the_same_skin(self):
+        cloud = as_particles(
+            numpy.vstack([grid(), grid() + [0.3, 0, 2]]), Type=[1] * 125 + [2] * 125
+        )
+        threshold, surface = vtkThresholdPoints(), active.vtkActiveImplicitSurface()
+        threshold.SetInputData(cloud)
+        threshold.SetInputArrayToProcess(0, 0, 0, 0, "Type")
+        threshold.ThresholdBetween(1, 1)
+        surface.SetInputConnection(threshold.GetOutputPort())
+        surface.SetParticleSpacing(0.1)
+        surface.Update()
+        (_, chosen), *_ = active.frames([cloud], where="Type=1", particle_spacing=0.1)
+        own = points_of(surface.GetOutput())
+        self.assertGreater(len(own), 500)
+        numpy.testing.assert_array_equal(points_of(chosen), own)
+
+    def test_frames_in_between_keep_the_events(self):
+        """Two boxes touch, and separate by 0.1 per frame; a third box appears in frame 3."""
+        halves = [numpy.vstack([grid() - [x, 0, 0], grid() + [0.5 + x, 0, 0]]) for x in SHIFTS]
+        places = [*halves[:3], *(numpy.vstack([each, grid(3) + [0, 2, 0]]) for each in halves[3:])]
+        for rate in ({}, {"output_fps": 20}, {"output_fps": 40}):
+            way = active.frames(places, fps=10, particle_spacing=0.1, **rate)
+            self.assertEqual(len(list(way)), 5 * rate.get("output_fps", 10) // 10 + 1)
+            held = active.history(way)
+            numpy.testing.assert_allclose(held["Time"], numpy.arange(6) / 10, atol=1e-12)
+            events = {
+                round(time, 3): text for time, text in zip(held["Time"], held["Event"]) if text
+            }
+            self.assertEqual(events, {0.2: "split", 0.3: "birth"})
 
 
 class Components(unittest.TestCase):
