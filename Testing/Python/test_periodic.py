@@ -17,6 +17,7 @@ from active_implicit_surfaces import (
 )
 from active_implicit_surfaces.data_objects import as_particles
 from active_implicit_surfaces.measures import measure
+from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest
 from listener import Listener
 from shapes import points_of, volume_of
@@ -293,6 +294,20 @@ class Drops(unittest.TestCase):
         self.assertEqual(pieces, [True, True, True, False])
 
 
+GRO = "water, t= {time}\n{count}\n{rows}\n   2.00000   2.00000   5.00000\n"
+DUMP = """ITEM: TIME
+{time}
+ITEM: TIMESTEP
+{time}
+ITEM: NUMBER OF ATOMS
+{count}
+ITEM: BOX BOUNDS pp pp ff
+0 2
+0 2
+0 5
+ITEM: ATOMS x y z
+{rows}
+"""
 XYZ = '{count}\nLattice="{box}" Properties=pos:R:3 pbc="T T F" Time={time}\n{rows}\n'
 
 
@@ -315,6 +330,27 @@ class Files(CommandTest):
             self.assertEqual(one.read_bytes(), other.read_bytes())
         surface = active.frames(str(self.folder / "p.xyz"), periodic=True).surface
         self.assertEqual(surface.GetPeriodicBounds(), BOX)
+
+    def test_boxes_of_molecules(self):
+        """A .dump and a .gro give the skin of the .xyz. In the .gro z is periodic too."""
+        atom = "    1SOL     OW    1{:8.3f}{:8.3f}{:8.3f}"
+        texts = {"p.xyz": (XYZ, "{} {} {}"), "p.dump": (DUMP, "{} {} {}"), "p.gro": (GRO, atom)}
+        command, skins = ("--particle-spacing", SPACING, "--periodic", "--quiet"), []
+        for name, (frame, row) in texts.items():
+            text = ""
+            for time in range(2):
+                places = numpy.round(wrapped(water(time)) + [0, 0, 2], 3)
+                rows = "\n".join(row.format(*place) for place in places)
+                named = {"count": len(places), "time": time, "box": "2 0 0 0 2 0 0 0 5"}
+                text += frame.format(rows=rows, **named)
+            (self.folder / name).write_text(text, encoding="utf-8")
+            self.succeed("skin", name, *command, "-o", "s_#.vtp")
+            skins.append([read_shape(self.folder / f"s_{step}.vtp") for step in range(2)])
+        for wanted, *others in zip(*skins):
+            self.assertAlmostEqual(volume_of(wanted), SIDE**2 * DEPTH * SPACING, delta=0.01)
+            for skin in others:
+                self.assertEqual(skin.GetNumberOfPoints(), wanted.GetNumberOfPoints())
+                numpy.testing.assert_allclose(points_of(skin), points_of(wanted), atol=1e-3 * VOXEL)
 
     def test_the_corner_of_the_box(self):
         places = "0.5 0.5 0.5"
