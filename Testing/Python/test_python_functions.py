@@ -20,6 +20,13 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere, vtkTable, vtkU
 SPACING = {"particle_spacing": 0.1}
 
 
+def noisy_pool(seed):
+    """24 x 24 x 6 particles with noise of 0.7 r."""
+    axes = [0.1 * numpy.arange(count) for count in (24, 24, 6)]
+    places = numpy.stack(numpy.meshgrid(*axes), -1).reshape(-1, 3)
+    return places + numpy.random.default_rng(seed).normal(0, 0.035, places.shape)
+
+
 class Particles(unittest.TestCase):
     def test_every_kind_gives_the_same_skin(self):
         wanted = bytes_of(active.skin(grid(), **SPACING))
@@ -145,6 +152,18 @@ class Properties(unittest.TestCase):
         viscous = bytes_of(active.skin(grid(), preset="viscous"))
         same = active.skin(grid(), preset="viscous", attraction=-1, particle_spacing="automatic")
         self.assertEqual(bytes_of(same), viscous)
+
+    def test_the_preset_viscous_smooths_noise(self):
+        rms = []
+        for options in ({}, {"preset": "viscous"}):
+            *_, (_, skin) = active.frames(
+                [noisy_pool(step) for step in range(4)], **SPACING, **options
+            )
+            places = vtk_to_numpy(skin.GetPoints().GetData())
+            is_top = (numpy.abs(places[:, :2] - 1.15) < 0.4).all(axis=1) & (places[:, 2] > 0.3)
+            rms.append(places[is_top, 2].std())
+        self.assertGreater(rms[0], 0.005, "a tenth of r")
+        self.assertLess(rms[1], 0.7 * rms[0])
 
     def test_values_out_of_range(self):
         for keyword, value, words in (
