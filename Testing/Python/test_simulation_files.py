@@ -7,7 +7,9 @@ Run: python3 test_simulation_files.py
 import base64
 import gzip
 import math
+import sys
 import unittest
+from unittest import mock
 
 import numpy
 from active_implicit_surfaces.measures import measure
@@ -190,6 +192,13 @@ class Atoms(ReaderTest):
 
 
 class PySPH(ReaderTest):
+    def test_without_h5py(self):
+        with mock.patch.dict(sys.modules, {"h5py": None}):
+            said = self.fail_with(1, "skin", self.put("run_0.hdf5", "text"), "--quiet")
+        self.assertIn(
+            "run_0.hdf5 cannot be read as particles: it needs h5py (Debian: python3-h5py", said
+        )
+
     def test_kinds_of_particles(self):
         try:
             import h5py
