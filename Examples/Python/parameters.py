@@ -23,7 +23,6 @@ STRIPS = {
     "voxel": [{"voxel_size": voxels * R} for voxels in (2, 1, 0.5)],
     "attraction": [{"attraction": rate, "transport": 0} for rate in (5, 25, 150)],
     "tension": [{"tension": times * SMOOTH, **PLAIN} for times in (0, 2, 8)],
-    "preset": [{}, {"preset": "viscous"}, {"preset": "paper"}],
     "parts": [{"create_parts": choice} for choice in (False, True)],
 }
 

@@ -16,6 +16,7 @@ MODULES = {
     "film_strip",
     "fluid_scenes",
     "fluid_solver",
+    "grain_pile",
     "knot_label",
     "particle_series",
     "two_layers",
