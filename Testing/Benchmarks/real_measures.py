@@ -48,15 +48,29 @@ def faces_of(inside):
 
 def edge_angle(mesh):
     """Mean angle between the normals of triangles that share an edge."""
+    return angles_and_distances(mesh)[0].mean()
+
+
+def turn_of(mesh):
+    """Angle between the normals of triangles that share an edge, per distance of their centers."""
+    angles, distances = angles_and_distances(mesh)
+    return angles.sum() / distances.sum()
+
+
+def angles_and_distances(mesh):
+    """Angles of normals [deg] and distances of centers, of triangles that share an edge."""
     corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    normals = Skin(mesh).area_vectors()
+    skin = Skin(mesh)
+    normals, centers = skin.area_vectors(), skin.centers()
     normals /= np.linalg.norm(normals, axis=1)[:, None] + 1e-300
     edges = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]))
     order = np.lexsort(edges.T)
     edges, owners = edges[order], np.tile(np.arange(len(corners)), 3)[order]
     shared = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
-    cosines = (normals[owners[shared]] * normals[owners[shared + 1]]).sum(axis=1)
-    return np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()
+    one, other = owners[shared], owners[shared + 1]
+    cosines = (normals[one] * normals[other]).sum(axis=1)
+    distances = np.linalg.norm(centers[one] - centers[other], axis=1)
+    return np.degrees(np.arccos(np.clip(cosines, -1, 1))), distances
 
 
 def volume_with_probe(places, radii, probe, samples=200000):

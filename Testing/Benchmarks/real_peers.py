@@ -104,15 +104,26 @@ def windowed_sinc(labels, label, affine):
     return cubes.GetOutput(), sinc.GetOutput(), time.perf_counter() - began
 
 
-def seconds_of_filter(labels, label, affine):
-    """Seconds of vtkActiveImplicitSurface over a label."""
+def skin_of_label(labels, label, affine):
+    """The skin by vtkActiveImplicitSurface over a label; the seconds."""
     from active_implicit_surfaces import vtkActiveImplicitSurface
 
     surface = vtkActiveImplicitSurface()
     surface.SetInputData(image_of((labels == label).astype(np.uint8), affine))
     began = time.perf_counter()
     surface.Update()
-    return time.perf_counter() - began
+    return surface.GetOutput(), time.perf_counter() - began
+
+
+def level_of(values, level):
+    """The surface at a level of an image whose voxels are 1 long."""
+    from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+    edges = vtkFlyingEdges3D()
+    edges.SetInputData(image_of(values, np.eye(4)))
+    edges.SetValue(0, level)
+    edges.Update()
+    return edges.GetOutput()
 
 
 if __name__ == "__main__":

@@ -99,12 +99,21 @@ def make_atlas(folder):
     shutil.copy(package / "data" / "atlas-desikankilliany.nii.gz", folder / "atlas.nii.gz")
 
 
+def make_slices(folder):
+    """nilearn: gray and white matter of the average brain MNI ICBM 152, at 1 mm."""
+    data = Path(find_spec("nilearn").origin).parent / "datasets" / "data"
+    for part in ("gm", "wm"):
+        name = f"mni_icbm152_{part}_tal_nlin_sym_09a_converted.nii.gz"
+        shutil.copy(data / name, folder / name)
+
+
 MAKERS = {
     "jet": make_jet,
     "grains": make_grains,
     "splash": make_splash,
     "protein": make_protein,
     "atlas": make_atlas,
+    "slices": make_slices,
 }
 
 if __name__ == "__main__":
