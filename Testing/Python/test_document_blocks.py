@@ -78,6 +78,11 @@ def contains(program, snippet):
     return any(tidy("\n".join(lines[i : i + len(snippet)])) == snippet for i in starts)
 
 
+def arguments_of(command):
+    """Arguments of active-surface, without --plot if matplotlib is not installed."""
+    return shlex.split(command if HAS_PLOTS else re.sub(r" --plot \S+", "", command))[1:]
+
+
 def is_known(command):
     """Returns true if a command that is not run here exists."""
     words = shlex.split(command)
@@ -187,8 +192,7 @@ class Blocks(CommandTest):
                 if not PROGRAM.match(command):
                     self.assertTrue(is_known(command), f"nobody runs `{command}`")
                 else:
-                    command = command if HAS_PLOTS else re.sub(r" --plot \S+", "", command)
-                    self.run_once(self.succeed, *shlex.split(command)[1:])
+                    self.run_once(self.succeed, *arguments_of(command))
         elif language == "cmake":
             consumer = (ROOT / "Testing" / "Consumer" / "CMakeLists.txt").read_text()
             for name in re.findall(r"find_package\(.*?\)|\w+::\w+", body):

@@ -33,12 +33,13 @@ class Results(blocks.Blocks):
         self.numbers = 0
 
     def made_by(self, command):
-        """Files that a command makes, by name; files of earlier commands are removed."""
+        """Files that a command makes, by name; except for info, earlier files are removed."""
         known = {"bunny.stl", "horse.stl", "horse.ply", "skin_0040.vdb"}
         for path in self.folder.glob("*"):
-            if path.suffix in MESHES and path.name not in known and "splash" not in path.name:
+            is_own = path.name in known or "splash" in path.name
+            if path.suffix in MESHES and not is_own and " info " not in command:
                 path.unlink()
-        self.succeed(*shlex.split(command)[1:])
+        self.succeed(*blocks.arguments_of(command))
         found = (path for path in self.folder.glob("[!.]*") if path.suffix in MESHES)
         return sorted(p for p in found if p.name not in known and "splash" not in p.name)
 
