@@ -189,7 +189,9 @@ class Errors(unittest.TestCase):
         self.assertNotIn("0x", str(caught.exception))
 
     def test_the_filters_warning_is_a_warning(self):
-        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "ParticleSpacing of 0.1 is used"):
+        with self.assertWarnsRegex(
+            active.ActiveSurfaceWarning, "a ParticleSpacing of 0.1, the estimated"
+        ):
             active.skin(grid())
 
     def test_files_are_an_OSError(self):

@@ -320,7 +320,7 @@ TEST(TestParticles, SpacingIsEstimated)
   const std::string bytes = GetBytesAt(estimated, 0.1);
   estimated->UpdateTimeStep(0.2);
   estimated->UpdateTimeStep(0.1);
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "a ParticleSpacing of 0.1 is used"), 1)
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "a ParticleSpacing of 0.1, the estimated"), 1)
     << "warnings that say the value";
   auto given = MakeSkinOverData(MakePoints(lattice));
   given->SetKernelRadius(0.2);
