@@ -1,12 +1,10 @@
 /**
- * Instruction sets for which kernels (of rows, leaves and skeletons) are compiled, and the choice
- * among them.
+ * Instruction sets for which kernels are compiled, and the choice among them.
  *
  * At its first use the library chooses the best set of the processor, or the set named by the
  * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor does
- * not support is replaced by the best set below it. Results do not depend on the choice: rows are
- * vectorised lane by lane, no floats are summed across lanes, and contraction to fused multiply-add
- * is off.
+ * not support is replaced by the best set below it. Results do not depend on the choice: the
+ * compiler may neither reorder sums nor contract to fused multiply-add.
  */
 #ifndef InstructionSets_h
 #define InstructionSets_h
@@ -28,11 +26,11 @@ enum class InstructionSet
 ACTIVELEVELSET_EXPORT InstructionSet GetInstructionSet();
 
 /** Chooses a set, or the best set below it that the processor supports. Returns the choice, which
- * applies to the whole program. Must not be called while a band, skin or skeleton is computed. */
+ * applies to the whole program. Must not be called while kernels run. */
 ACTIVELEVELSET_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
-/** A function object compiled for each instruction set. Its operator() and all functions that it
- * calls must be ACTIVE_ALWAYS_INLINE. */
+/** A function object compiled for each instruction set. Its operator() must be
+ * ACTIVE_ALWAYS_INLINE. Called functions that are not inlined get the baseline set. */
 template <class Kernel, class... Arguments>
 struct CompiledKernel
 {

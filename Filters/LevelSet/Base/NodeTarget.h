@@ -41,8 +41,8 @@ struct LeafMotion
 {
   static constexpr int Points = 27;
   float Displacement[3][Points]; //< since NodeMotion::Begin, times Transport [voxels]
-  float Bulk[Points];            //< in [0,1]: 0 around an isolated particle, 1 in a body
-  bool IsStill = true;           //< all displacements are 0
+  float Bulk[Points];            //< in [0,1]: 1 in a body or if unknown, less around lone particles
+  bool IsStill = true;           //< the target has neither moved nor changed noticeably
 };
 
 class Domain;

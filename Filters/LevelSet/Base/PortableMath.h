@@ -1,7 +1,7 @@
 /**
- * Exponentials and roots by additions, multiplications and divisions only, so results are bitwise
- * identical on all processors. The results of C libraries depend on the processor's instructions
- * and on the release of the library: in one of a thousand calls the last bit differs.
+ * Exponentials and roots by exactly rounded operations only, so results are bitwise identical on
+ * all processors. The results of C libraries depend on the processor's instructions and on the
+ * release of the library: in one of a thousand calls the last bit differs.
  */
 #ifndef PortableMath_h
 #define PortableMath_h
@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** Returns e^x with a relative error of 1e-15. */
+/** Returns e^x with a relative error of 1e-15, unless the result is subnormal. */
 ACTIVELEVELSET_EXPORT double Exponential(double x);
 
 /** Returns e^x - 1 with a relative error of 1e-15, even near 0. */

@@ -13,7 +13,8 @@
 namespace activesurface
 {
 
-/** Releases an object that may own a tree. During static destruction the object is leaked. */
+/** Releases an object that may own a tree. After this library's static objects are destroyed, the
+ * object is leaked. */
 ACTIVELEVELSET_EXPORT void ReleaseUnlessExiting(std::shared_ptr<const void> holder);
 
 }

@@ -79,8 +79,9 @@ public:
   ///@}
 
   /**
-   * Visits the parts and hollows of the shapes between which the target moves. Parts that the skin
-   * does not meet are created when the target reaches them. The order must depend only on the time.
+   * Visits the parts and hollows of the shapes between which the target moves. A part that the skin
+   * does not meet is created once the target is wide enough there (NewParts.h). The order must
+   * depend only on the time.
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 

@@ -50,7 +50,7 @@ public:
   /** Visits some points of the part, the deepest ones first: at least one in each leaf or tile. */
   virtual void ForEachSample(const PointVisitor& visit) const = 0;
 
-  /** Visits all known points of the part. The skin meets a part of the inside if a point of the
+  /** Visits points throughout the part. The skin meets a part of the inside if a point of the
    * part is inside the skin, and a hollow if a point of the hollow is outside the skin. */
   virtual void ForEachPoint(const PointVisitor& visit) const = 0;
 };

@@ -1,5 +1,5 @@
 /**
- * Trilinear interpolation within one voxel, for all samples on a lattice.
+ * Trilinear interpolation within one voxel.
  */
 #ifndef Trilinear_h
 #define Trilinear_h
