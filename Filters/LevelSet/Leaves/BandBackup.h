@@ -1,6 +1,5 @@
 /**
- * A copy of a band before new parts are created, to restore the band if an error interrupts the
- * substep.
+ * A copy of a band before new parts are created, to restore the band if the target then throws.
  */
 #ifndef BandBackup_h
 #define BandBackup_h

@@ -35,7 +35,7 @@ ACTIVE_ALWAYS_INLINE std::uint64_t WordOf(const RowBytes& bytes)
 }
 
 /** The signs of a leaf and of the layer of nodes around the leaf: rows of ten bits, bit z + 1, at
- * [x + 1][y + 1]. All loops run over y, so that the compiler vectorises them. */
+ * [x + 1][y + 1]. Inner loops run over y, so that the compiler vectorises them. */
 struct SignBlock
 {
   std::uint16_t Row[10][RowsRead] = {};

@@ -1,7 +1,7 @@
 /**
  * The values of a leaf and of the halo that stencils read, in contiguous memory. The halo is two
  * nodes wide along the axes, and one node wide along the diagonals of two axes. Other values of the
- * block are not set.
+ * block are arbitrary.
  */
 #ifndef LeafBlock_h
 #define LeafBlock_h
@@ -56,7 +56,7 @@ struct LeafBlock
     this->GatherRows<1, 1, 0>(table, leaf, arrayOf);
   }
 
-  /** Gathers only the values that the stencils of row (x, y) of the leaf read. */
+  /** Gathers the values that the stencils of row (x, y) of the leaf read. */
   ACTIVE_ALWAYS_INLINE void GatherAround(const LeafTable& table, const BandLeaf& leaf, int x, int y)
   {
     constexpr int steps[][2] = { { 0, 0 }, { -2, 0 }, { -1, 0 }, { 1, 0 }, { 2, 0 }, { 0, -2 },

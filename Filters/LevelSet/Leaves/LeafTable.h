@@ -2,9 +2,9 @@
  * The leaves of the potential, each with its masks and its 26 neighbours. Leaves are in the order
  * of the tree, except leaves added since Rebuild, which come last.
  *
- * The table has all data derived from the signs of the potential: layers, active nodes, crossed
- * edges. Passes over the band call a kernel for each leaf, mostly in parallel. A parallel kernel
- * writes only the leaf for which it is called.
+ * The table has data derived from the potential: layers, active nodes, crossed edges. Passes over
+ * the band call a kernel for each leaf, mostly in parallel. A parallel kernel writes only the leaf
+ * for which it is called.
  */
 #ifndef LeafTable_h
 #define LeafTable_h
@@ -33,7 +33,8 @@ constexpr std::int32_t NoLeafInside = -2;
  * scheme has PaperThreshold instead. */
 constexpr float Far = 1000.f;
 
-/** Numbers of leaves, ascending except in FindTreeOrder. */
+/** Numbers of leaves. The lists of a LeafTable and of an ActiveSet are ascending, except
+ * FindTreeOrder. */
 using LeafList = std::vector<std::int32_t>;
 
 constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 ghosts

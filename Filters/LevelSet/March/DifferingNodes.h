@@ -65,7 +65,7 @@ public:
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;
 
   /** Returns the smaller of the depths in surface and target [voxels] at nodes that are inside both
-   * (areInside) or outside both (not areInside); -1 at other nodes. */
+   * (areInside) or outside both (not areInside); -1 at other nodes and out of bounds. */
   std::vector<double> FindCommonDepths(
     const std::vector<openvdb::Coord>& places, bool areInside) const;
 

@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  /** Adds a core for each part that meets the surface only in a region too thin to grow from.
+  /** Adds cores to parts that meet the surface only in a region too thin to grow from.
    * Without a core, this region would vanish together with adjacent regions outside the target, and
    * the part would never grow. */
   void AddBarelyReached()
@@ -100,8 +100,8 @@ private:
     return part;
   }
 
-  /** Returns a node in the innermost layer of a part. The target's values cannot measure depth: far
-   * from a mesh all values are equal. */
+  /** Returns a node in the innermost layer of a part. Layers are counted, because far from a mesh
+   * all values of the target are equal. */
   std::size_t FindDeepest(const std::vector<std::size_t>& part)
   {
     this->Layer.resize(this->Nodes.Size(), -1);

@@ -14,8 +14,7 @@
  *
  * Exception: K is d(x,y) if y is in the middle of a vanishing part and d(x,y) <= 1.1 (T(y) - T(x));
  * the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump, which would grow
- * unless it moved farther than its neighbours. Near the surface K is about |F| if the target F is a
- * distance.
+ * unless it moved farther than its neighbours.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h
