@@ -36,7 +36,7 @@ struct BandState
   SkinMeasure StartMeasure; // world units
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // true: the paper's scheme, see PaperStep.h
-  bool HasGhosts = true;    // false: all layers have values of the node scheme
+  bool HasGhosts = true;    // false: layers 3 and 4 have values up to NodeLimit
   AdvanceReport Work;       // since the start or ForgetWork
   ActiveSet Set;            // leaves of the current substep; kept for its capacity
   SubstepBuffers Buffers;
@@ -57,8 +57,8 @@ struct BandState
   /** Replaces the potential and the layers. Unless Paper, and if HasGhosts, extrapolates the
    * ghosts from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  /** Sets the totals of a partitioned band; null: the band is whole. Call before replacing the
-   * leaves. */
+  /** Sets the totals of a partitioned band; null: the band is whole. Also sets the domain with
+   * which LeafTable::Rebuild finds the owners of leaves. */
   void SetPart(const std::shared_ptr<const BandPart>& part);
   /** Extrapolates the ghosts, which explicit substeps need, unless the band has ghosts. */
   void AddGhosts();

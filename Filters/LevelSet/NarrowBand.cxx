@@ -169,7 +169,7 @@ bool MayBegin(const Motion& motion, const Target& target)
 }
 
 /** Calls substep() until substep() returns false, or the surface has vanished and cannot reappear.
- * Leaves the band in the state after the last finished substep. */
+ * Then finishes the frame, also after an exception. */
 template <class Substep>
 void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const AdvanceReport& report,
   Substep&& substep)

@@ -121,10 +121,10 @@ public:
    * Starts at a time with the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax).
    * The surface is closed at faces of the bounds where the function is negative. Without boxes and
    * points (InitialFunction.h), memory is proportional to the surface and two planes of the
-   * lattice. A function without zero set gives an empty surface. Throws std::invalid_argument if
-   * the bounds are empty, not finite or too large for the voxel size. Throws std::runtime_error
-   * beyond the maximum number of active voxels. Returns false if `progress` cancelled the start;
-   * the surface is then empty.
+   * lattice. A function that is nowhere negative gives an empty surface. Throws
+   * std::invalid_argument if the bounds are empty, not finite or too large for the voxel size.
+   * Throws std::runtime_error beyond the maximum number of active voxels. Returns false if
+   * `progress` cancelled the start; the surface is then empty.
    */
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
@@ -156,8 +156,8 @@ public:
   /**
    * Moves the surface until `time`; the last substep ends exactly at `time`. If `progress` cancels
    * the motion, the surface stays at the time of the last finished substep. Throws
-   * std::invalid_argument for a time before the current time, or an invalid motion. After any other
-   * exception, the potential and GetTime() are those after the last finished substep.
+   * std::invalid_argument for a time before the current time, or an invalid motion. If the target
+   * throws, the potential and GetTime() are those after the last finished substep.
    */
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});

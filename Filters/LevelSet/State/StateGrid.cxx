@@ -101,7 +101,7 @@ namespace
 {
 
 /** Returns true if a coordinate of an origin is beyond +-2^30 nodes. No surface gets so far, and
- * coordinates of neighbours would overflow. */
+ * coordinates of neighbours might overflow. */
 bool IsTooFar(const openvdb::Coord& origin)
 {
   constexpr int farthest = 1 << 30;

@@ -25,7 +25,7 @@ struct StateNumbers
   double StartVolume = 0.0;
   double BoxSize = 1.0;
   bool Paper = false;
-  bool HasGhosts = true;  //< false: all layers have values of the node scheme
+  bool HasGhosts = true;  //< false: layers 3 and 4 have values up to NodeLimit
   float Background = 0.f; //< not stored: it follows from Paper
 };
 
