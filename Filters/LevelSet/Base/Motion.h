@@ -160,7 +160,7 @@ struct SteadyStateCriterion
   /** A sample point that moves farther than this in a window of substeps counts as moved [voxels].
    */
   static constexpr double Still = .02;
-  /** Largest fraction of moved sample points in a steady state. */
+  /** Largest fraction of moved sample points that counts as an oscillation; see SteadyWindow. */
   static constexpr double FewMoving = .05;
   std::size_t MaximumSubsteps = 10000;
 };
