@@ -4,12 +4,12 @@
  *
  * A leaf has converged if its surface is not faster than 0.001 h Attraction L, where h is the voxel
  * size and L the target slope. Without Tension the speed is the target speed at the sample points,
- * interpolated between the ends of crossed edges; no target speed at these ends may exceed h
- * Attraction L. With Tension the speed is the rate of change of u at the nodes of crossed edges,
- * divided by the gradient norm. Only these nodes determine the surface, and reinitialisation does
- * not change these nodes. A leaf that has converged together with its neighbours is skipped:
- * further substeps would roughen the surface. The values at the active nodes of the leaf stay
- * bitwise identical, except for factors of 2 that keep gradient norms near 1.
+ * interpolated between the ends of crossed edges; no target speed at the leaf's nodes of crossed
+ * edges may exceed h Attraction L. With Tension the speed is the rate of change of u at the nodes
+ * of crossed edges, divided by the gradient norm. Only these nodes determine the surface, and
+ * reinitialisation does not change these nodes. A leaf that has converged together with its
+ * neighbours is skipped: further substeps would roughen the surface. The values at the active nodes
+ * of the leaf stay bitwise identical, except for factors of 2 that keep gradient norms near 1.
  *
  * Convergence depends only on the potential, the target and the motion. Stored speeds are used
  * again until the potential or the target may have changed, so a converged leaf costs very little.

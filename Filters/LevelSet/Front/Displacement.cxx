@@ -168,7 +168,7 @@ void SteadyWindow::Observe(const LeafTable& table, double time, double attractio
   const auto [share, mean] = this->Since.GetStatistics(table, SteadyStateCriterion::Still);
   this->Share = share;
   const bool isLong = attraction * (time - this->BeganAt) >= LeastDecay;
-  // In the first windows, the comparisons are with NaN and return false.
+  // Comparisons with NaN are false: fewMove in the first window, swings in the first two windows.
   const bool fewMove = this->Share <= SteadyStateCriterion::FewMoving && this->Share >= .5 * before;
   const double usual = .5 * (this->Mean + this->MeanBefore);
   const bool swings = mean <= MostMean && mean >= LeastRatio * usual && mean <= MostRatio * usual;

@@ -66,8 +66,8 @@ class SteadyWindow
 {
 public:
   /** Called after each substep. attraction: Attraction of the motion [1/time]. IsSteady returns
-   * true only after a window of at least 8 / attraction [time], in which distances to a target
-   * decay by a factor of exp(8) or more; without attraction, never. */
+   * true only after the last substep of a window of at least 8 / attraction [time], in which
+   * distances to a target decay by a factor of exp(8) or more; without attraction, never. */
   void Observe(const LeafTable& table, double time, double attraction);
 
   /** Returns true if the remaining motion is an oscillation, by one of two measures of the last

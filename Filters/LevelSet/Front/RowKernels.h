@@ -41,7 +41,7 @@ ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
   return RowMasks[bits];
 }
 
-/** Returns the smaller magnitude of two numbers of the same sign, else 0. */
+/** Returns a or b, whichever has the smaller magnitude, if their signs are equal; else 0. */
 ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
 {
   return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
@@ -129,7 +129,7 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   }
 }
 
-/** Limit of |u| [voxels]: no single operation on smaller values overflows. */
+/** Limit of |u| [voxels]: products of three smaller values are finite. */
 constexpr float UnboundedPotential = 1e12f;
 
 /** Returns nonzero if |u| of one of these nodes reaches UnboundedPotential or is NaN. */

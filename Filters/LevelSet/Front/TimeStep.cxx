@@ -174,7 +174,7 @@ void CheckBounded(bool isUnbounded, double time)
   }
 }
 
-// If step / voxelSize exceeds the range of floats, all speeds are 0 in single precision.
+// Limited to finite floats: infinity times the speed 0 would be NaN.
 float AdvectionFactor(double step, double voxelSize)
 {
   constexpr double most = std::numeric_limits<float>::max();

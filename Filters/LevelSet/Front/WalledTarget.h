@@ -78,8 +78,8 @@ struct SurfaceBounds
 void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
   SubstepBuffers& buffers);
 
-/** Samples the obstacle in all leaves, before a substep changes anything. obstacle: may be null.
- * Throws std::runtime_error if the obstacle is NaN in a leaf. */
+/** Samples the obstacle in all leaves. obstacle: may be null. Throws std::runtime_error if the
+ * obstacle is NaN at a node of a sampled leaf. */
 void CheckObstacle(const LeafTable& table, Obstacle* obstacle);
 
 }
