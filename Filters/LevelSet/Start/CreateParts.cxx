@@ -62,7 +62,8 @@ void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
   }
 }
 
-/** Converts leaves entirely inside the new parts or hollows to tiles of the other sign. */
+/** Converts leaves inside the new parts or hollows, far from their surfaces, to tiles of the other
+ * sign. */
 void JoinTiles(const NewBand& added, PotentialTree& tree)
 {
   for (std::size_t i = 0; i < added.Nodes.Size(); ++i)

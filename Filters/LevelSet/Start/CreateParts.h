@@ -31,7 +31,7 @@ struct GrowingBand
  * difference. Returns true if any part or hollow was created. The active set then consists of the
  * changed leaves, whose layers and ghosts the caller has to rebuild. Adds the numbers of created
  * parts and of evaluations to the report. Throws std::runtime_error, and changes nothing, if the
- * band would exceed its maximum of active voxels.
+ * parts are too large for the maximum of active voxels.
  */
 bool CreateParts(
   const GrowingBand& band, const Motion& motion, const Target& target, AdvanceReport& report);

@@ -94,7 +94,7 @@ float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::Float
 
 /** Replaces the distances from fast sweeping at the active nodes of `potential`. The new values are
  * the function's first-order distances, which are smoother, clamped to 0.5 to 1.5 times the swept
- * distances. Where F is flat, the swept distances stay. */
+ * distances. Where F is flat or a neighbour is missing, the swept distances stay. */
 void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
 {
   Leaves leaves(potential);
@@ -112,9 +112,8 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping treats smaller
- * magnitudes as zero, and rejects a function without such a node. largest: the function's maximum.
- */
+/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping may treat magnitudes
+ * below 1e-8 as zero, and rejects a function without negative values. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -151,7 +150,7 @@ struct Slab
   }
 };
 
-/** Returns slabs of at least 1000 leaves and 6 planes; the last slab may be smaller. */
+/** Returns slabs of at least 1000 leaves; the last slab may be smaller. */
 std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
 {
   constexpr int fewestLeaves = 1000;

@@ -14,7 +14,8 @@ namespace activesurface
 /** Limit of node coordinates, which are 32-bit integers. */
 constexpr double FarthestNode = 1e9;
 
-/** Lattice nodes First..Last along each axis; the outermost nodes lie on or beyond the bounds. */
+/** Lattice nodes First..Last along each axis; the outermost nodes lie on or beyond the bounds, up
+ * to rounding. */
 struct LatticeBox
 {
   openvdb::Coord First;

@@ -1,5 +1,5 @@
 /**
- * Evaluates a function at the nodes of a leaf.
+ * Evaluates a function at nodes of the lattice.
  */
 #ifndef LatticeFunction_h
 #define LatticeFunction_h
@@ -58,7 +58,7 @@ public:
     tbb::parallel_for(begin, end, [&function](std::size_t i) { function(i); });
   }
 
-  /** Number of nodes at which the function has been evaluated. */
+  /** Number of evaluations; a node may be evaluated several times. */
   std::size_t CountEvaluations() const { return this->Evaluations.load(); }
 
 private:

@@ -18,8 +18,8 @@ openvdb::Coord LeafCoordinates(const openvdb::Coord& origin)
   return origin >> 3;
 }
 
-/** Finds the box of the nodes in a region and next to the region, within the limits. Returns false
- * if the box is empty, or the region is empty or not finite. */
+/** Finds the smallest box of nodes that contains a region, within the limits. Returns false if the
+ * box is empty, or the region is empty or not finite. */
 bool FindNodes(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
   openvdb::Coord& first, openvdb::Coord& last)
 {

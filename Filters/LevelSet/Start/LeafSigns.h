@@ -59,8 +59,8 @@ public:
   /** Adds a leaf without nodes unless the leaf exists. Returns the index of the leaf. */
   std::int32_t Add(const openvdb::Coord& origin);
 
-  /** Adds the leaves of all nodes in a region, and of the next nodes outside the region, within the
-   * limits. Throws like RefuseManyLeaves. */
+  /** Adds the leaves of the smallest box of nodes that contains a region, within the limits. Throws
+   * like RefuseManyLeaves. */
   void AddRegion(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
     std::size_t maximumNumberOfActiveVoxels);
 

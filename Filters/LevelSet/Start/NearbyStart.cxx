@@ -90,7 +90,7 @@ void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& 
   {
     return;
   }
-  // Nodes on both sides of the face, and one more layer.
+  // Nodes on both sides of the cut, and one more layer.
   const int layers = static_cast<int>(std::ceil(surface.DepthOfWalls / voxelSize)) + 2;
   for (int face = 0; face < 6; ++face)
   {

@@ -5,8 +5,8 @@
  * Nodes where the signs of the target and of the potential differ are called differing. The skin
  * will reach a differing node if edges between differing nodes connect this node with layer 0,
  * where the sample points of the skin are. All other differing nodes form the new parts and
- * hollows; Attraction moves the skin away from these nodes. The search follows connected nodes,
- * from the target's regions, and from parts of the input shapes that the skin does not meet at all.
+ * hollows. The search follows connected nodes, from the target's regions, and from parts of the
+ * input shapes that the skin does not meet at all.
  * Hollows, and parts of input shapes, have to be wide (LeastRadius in PartSeeds.h): Tension or the
  * lattice would remove narrow parts, and the search would find these parts again.
  */
@@ -40,7 +40,7 @@ public:
 
 private:
   void SampleLeaf(const PartSearch& search, std::size_t i);
-  /** Finds reached nodes in leaves from `first` on and in their neighbours. */
+  /** Extends the reached nodes, starting from leaves from `first` on and from their neighbours. */
   void FindReached(std::size_t first);
   void AddNext(std::size_t begin, std::size_t end);
   void RemoveNarrowHollows(int steps);

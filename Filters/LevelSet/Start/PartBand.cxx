@@ -33,7 +33,8 @@ public:
   explicit PartDistances(LeafTable& table);
 
   /**
-   * Sets the values of all nodes in the layers. The function's signs have to be those of the table.
+   * Sets the values of all nodes in the layers, from the magnitudes of the function and the signs
+   * of the table.
    */
   void Find(const LatticeFunction& function);
 

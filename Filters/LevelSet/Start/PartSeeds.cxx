@@ -187,7 +187,7 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
 }
 
 /** Returns true if the six nodes GetLeastSteps() from `node` along the axes are inside the target,
- * or outside if isHollow. Neither the lattice nor Tension removes such a part or hollow. */
+ * or outside if isHollow. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
   const int steps = this->Search.GetLeastSteps();

@@ -27,7 +27,7 @@ struct PartSearch
   std::size_t MaximumNumberOfActiveVoxels;
   double LeastRadius; //< of a hollow, or part of a shape, that survives Tension [length]
 
-  /** Returns LeastRadius in voxels, rounded up, at least 1. */
+  /** Returns LeastRadius in voxels, rounded up, within [1, 10^6]. */
   int GetLeastSteps() const;
 };
 
