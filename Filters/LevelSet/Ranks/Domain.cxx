@@ -41,8 +41,8 @@ double Sum(Iterator begin, Iterator end)
     begin, end, 0.0, [](double sum, const LeafCost& leaf) { return sum + leaf.Cost; });
 }
 
-/** Samples at most `most` leaves at equal steps of the cumulated cost. All samples have the same
- * cost; an expensive leaf is sampled several times. */
+/** Returns at most `most` samples of the leaves, at equal steps of the cumulated cost. All samples
+ * have the same cost; an expensive leaf is sampled several times. */
 std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 {
   const double each = Sum(costs.begin(), costs.end()) / static_cast<double>(most);

@@ -19,7 +19,7 @@ namespace activesurface
 
 /** costsBefore: for each leaf the sum of the costs of all earlier leaves, followed by the total
  * cost. Returns the first leaf of each rank, followed by the number of leaves. The costs of a rank
- * differ from the mean by less than the costs of the leaves at both ends of its range. */
+ * differ from the mean by at most the largest cost of a leaf. */
 std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);
 
 /** Cost of a leaf, in units of the cost of a particle. */
@@ -60,7 +60,7 @@ public:
   /** Replaces `owners` by the ranks that own leaves with nodes in a box, ascending. */
   void ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const;
 
-  /** Replaces `others` by the other ranks that own neighbours of a leaf, ascending. */
+  /** Replaces `others` by the other ranks that own the leaf or its neighbours, ascending. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
   /** Returns the rank that counts the vertices of a leaf. Leaves later in the order of the tree
