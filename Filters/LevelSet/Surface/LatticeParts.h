@@ -18,7 +18,7 @@ struct LatticeShape;
 /**
  * Two nodes on the same side are in one part or hollow if nodes on that side connect them along
  * edges. Outside nodes that are connected with the background, the unbounded outside, are not in a
- * hollow. The constructor searches leaves and tiles. The cost is proportional to the surface.
+ * hollow. The constructor searches leaves and tiles.
  */
 class ACTIVELEVELSET_EXPORT LatticeParts
 {

@@ -24,8 +24,8 @@ struct PointWithMargin
  * Points with numbers that are not finite do not count.
  *
  * For each point, reads the voxel of the potential that contains the point. If the point is outside
- * and its margin meets the leaves, also reads the voxels of the leaves within the margin. Allocates
- * no memory. The result does not depend on the number of threads.
+ * and its margin meets the leaves, also reads the voxels of the leaves within the margin. The
+ * result does not depend on the number of threads.
  */
 ACTIVELEVELSET_EXPORT std::size_t CountOutside(
   const NarrowBand& band, const std::vector<PointWithMargin>& points);
