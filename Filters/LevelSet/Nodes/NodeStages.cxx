@@ -27,7 +27,7 @@ constexpr float SlowShare = .03f;
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
 /** If, in a body, attraction and tension are out of balance by less than Imbalance times the noise,
- * both rates are reduced to the fraction SlowestShare of the attraction. */
+ * the attraction is reduced to the fraction SlowestShare, and tension by the same factor. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
 /** Weight g of tension (NodeStages.h): the bulk times a factor that is TensionOfHalf up to the bulk
  * FullFrom, and 1 from FullTo on. */

@@ -7,11 +7,12 @@
  * over one unit of time, the frame's duration dt. a = Attraction dt, b = Tension dt / h^2, g is the
  * weight of tension, psi the signed distance to the target [voxels], kappa the sum of the principal
  * curvatures. s is small in a body of particles where |psi - w| is within the noise of the body's
- * surface, otherwise 1. Where the two terms nearly balance in a body with noise, both are reduced
- * by the same factor. At a fixed point the two terms balance exactly, for any number of stages.
+ * surface, otherwise about 1. Where the two terms nearly balance in a body with noise, both are
+ * reduced by the same factor. At a fixed point the two terms balance exactly, for any number of
+ * stages.
  *
- * Around a target with NodeFreedom there is only tension, and w stays within psi +- slack. Slack is
- * the half-width of the freedom [voxels].
+ * Around a target with NodeFreedom there is no attraction, w stays within psi +- slack, and each
+ * stage also shifts w to keep the volume. Slack is the half-width of the freedom [voxels].
  */
 #ifndef NodeStages_h
 #define NodeStages_h

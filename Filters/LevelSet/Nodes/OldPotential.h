@@ -72,8 +72,8 @@ struct OldPotential
   const Domain* Space = nullptr; //< partition of the last frame; null: this rank has all leaves
   FetchedLeaves* Fetched = nullptr;
 
-  /** Collective. Requests leaves of other ranks from their owners. wanted: origins; own leaves are
-   * ignored. Does nothing if this rank has all leaves. */
+  /** Collective. Replaces the fetched leaves by leaves of other ranks. wanted: origins; own leaves
+   * are ignored. */
   void Fetch(const std::vector<NodeIndex>& wanted);
 
   OldLeaf FindLeaf(const NodeIndex& origin) const

@@ -50,7 +50,7 @@ StagePlan PlanCycles(float tension)
   {
     plan.Shares.push_back(cycle.Durations[i % cycle.Count] / sum);
   }
-  // The largest fraction f with GreatestFactor(f) tension = 2 sum.
+  // f tension, for the fraction f with GreatestFactor(f) tension = 2 sum.
   const float stable =
     (2.f * sum - GreatestFactor(0.f) * tension) / (GreatestFactor(1.f) - GreatestFactor(0.f));
   plan.Fine = std::min(std::max(stable, LeastFine * tension), tension);

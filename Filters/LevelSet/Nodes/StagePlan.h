@@ -21,7 +21,7 @@ struct StagePlan
 /** Stages of different durations (super time steps: Alexiades, Amiez, Gremaud 1996), in cycles of
  * five to seven. A cycle of n stages is stable over n^2 / 3 times the longest stable duration of
  * one stage. On a flat surface
- * - a frame multiplies a wave by at most 0.1 (with attraction 0.3) or e^-g, the larger of the two;
+ * - a frame multiplies a wave by at most about 0.1 (with attraction 0.3), or by e^-g if larger;
  * - before the frame's end, a wave has at most 1.2 times its size at the beginning;
  * - an error made after any stage of a cycle grows by a factor of at most 8.3 to the cycle's end.
  * tension: b, 0 to MostStageTension. */
