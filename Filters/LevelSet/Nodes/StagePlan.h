@@ -31,7 +31,7 @@ StagePlan PlanCycles(float tension);
  * the freedom. tension: b, 0 to MostStageTension. */
 StagePlan PlanEqualStages(float tension);
 
-/** More tension has no further effect: a surface of less than 1000 voxels vanishes in one frame. */
+/** Limit of b. Without attraction, spheres of less than 1000 voxels then vanish in one frame. */
 constexpr float MostStageTension = 1e6f;
 
 /** A single stage of the duration 1 would multiply a wave by 1 - g. Returns a bound of g / b, over
