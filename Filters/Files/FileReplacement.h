@@ -1,5 +1,5 @@
-// Writes a file completely or not at all: writes to a temporary file in the same folder, and
-// renames the temporary file on success.
+// Replaces a file completely or not at all: the caller writes a temporary file in the same folder,
+// and Finish renames the temporary file.
 //
 //   FileReplacement file("a.vdb");
 //   write to file.GetTemporaryName(), throw if that fails
@@ -18,7 +18,7 @@ namespace activesurface
 class ACTIVEFILES_EXPORT FileReplacement
 {
 public:
-  // Throws std::runtime_error if the name belongs to a folder, a device or another special file.
+  // Throws if the name belongs to a folder, a device or another special file.
   explicit FileReplacement(const std::string& name);
 
   // Removes the temporary file unless Finish succeeded; an existing file is kept.
@@ -26,7 +26,7 @@ public:
 
   const std::string& GetTemporaryName() const { return this->TemporaryName; }
 
-  // Throws std::runtime_error, with the reason, if the file cannot be renamed.
+  // Throws, with the reason, if the file cannot be renamed.
   void Finish();
 
 private:

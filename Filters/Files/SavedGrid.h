@@ -19,7 +19,7 @@ constexpr const char* SavedGridName = "potential";
  * that none is rounded. */
 ACTIVEFILES_EXPORT openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state);
 
-/** Throws std::runtime_error for a grid that is no saved state, or a damaged one. */
+/** Throws for a grid that is no saved state, or a damaged one. */
 ACTIVEFILES_EXPORT SavedState ReadSavedGrid(const openvdb::FloatGrid& grid);
 
 }

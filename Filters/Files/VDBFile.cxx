@@ -23,7 +23,7 @@ namespace
 {
 
 /** Opens an openvdb::io::File without delayed loading, so that its grids are independent of the
- * file. Versions of OpenVDB without delayed loading have only open(). */
+ * file. The second overload is for versions of OpenVDB whose open() has no parameter. */
 template <class File>
 auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
 {

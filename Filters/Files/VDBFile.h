@@ -53,10 +53,9 @@ struct VDBFile
 
 /**
  * Validates a file and lists its grids. If `trees` is false, skips the trees of a file that has the
- * offsets of its grids, as OpenVDB's io::File writes them. Throws std::runtime_error for a file
- * that is missing or damaged, whose format is older than version 222 (OpenVDB 2) or newer than the
- * library, or that has a grid of an unknown type and no offsets to skip the grid. The message names
- * the file.
+ * offsets of its grids, as OpenVDB's io::File writes them. Throws std::runtime_error, with the name
+ * of the file, for a file that cannot be read: for example, a file that is missing or damaged, or
+ * whose format is older than version 222 or newer than the library.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 

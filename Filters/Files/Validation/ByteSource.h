@@ -16,7 +16,7 @@ namespace activesurface
 /** Throws std::runtime_error with a sentence about the damage. */
 [[noreturn]] void RefuseDamage(const std::string& what);
 
-/** Methods that read or move throw std::runtime_error beyond the end of the file. */
+/** Methods that read or move throw beyond the end of the file. */
 class ByteSource
 {
 public:

@@ -23,8 +23,7 @@ struct VDBMetadata
   std::uint64_t NumberOfLeaves = 0;
 };
 
-/** Reads metadata from the current position. Throws std::runtime_error if the metadata are damaged.
- */
+/** Reads metadata from the current position. Throws if the metadata are damaged. */
 VDBMetadata ReadMetadata(ByteSource& source);
 
 }

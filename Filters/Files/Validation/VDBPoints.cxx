@@ -193,8 +193,8 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Reads a number of items of at least `least` bytes each. Throws std::runtime_error if the rest of
- * the file is too short for them. */
+/** Reads a number of items of at least `least` bytes each. Throws if the rest of the file is too
+ * short for these items. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();
@@ -259,8 +259,7 @@ void PointsValidator::ReadSizes()
   }
 }
 
-/** Validates the mask of each leaf and skips its table: the index of the last point of each voxel.
- */
+/** Validates the mask of each leaf and skips its table: the end index of each voxel's points. */
 void PointsValidator::SkipVoxels()
 {
   constexpr std::uint64_t bytes = 512 * sizeof(std::uint32_t);

@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Reads from the end of the topology. Throws std::runtime_error if the points are damaged. */
+/** Reads from the end of the topology. Throws if the points are damaged. */
 void ValidatePoints(ByteSource& source, const VDBTree& tree);
 
 }

@@ -55,7 +55,7 @@ struct VDBTree
   std::vector<VDBLeafSize> Sizes; //< of leaves that contain values
 };
 
-/** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */
+/** Reads from the beginning of the topology. Throws if the tree is damaged. */
 VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 
 /** Validates the buffers of leaves, which follow the topology, except buffers of points. Sets
@@ -63,9 +63,9 @@ VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**
- * Skips a Blosc buffer of `stored` bytes. Throws std::runtime_error unless the header of the buffer
- * declares `stored` and `unpacked` bytes. If `unpacked` is less than 128, the header may declare
- * 128 bytes, because OpenVDB pads short data.
+ * Skips a Blosc buffer of `stored` bytes. Throws unless the header of the buffer declares `stored`
+ * and `unpacked` bytes. If `unpacked` is less than 128, the header may declare 128 bytes, because
+ * OpenVDB pads short data.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 
