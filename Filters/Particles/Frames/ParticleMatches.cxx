@@ -114,7 +114,7 @@ std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earli
 bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
   const PeriodicBox& box)
 {
-  constexpr std::size_t fewParticles = 100; // fewer particles are always matched by index
+  constexpr std::size_t fewParticles = 100; // fewer particles do not count as shuffled
   constexpr double acrossTheCloud = 0.2;    // fraction of the cloud's diagonal
   if (displacements.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
   {

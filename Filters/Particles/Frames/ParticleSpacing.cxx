@@ -26,10 +26,10 @@ double FindMedian(std::vector<double>& values)
   return *middle;
 }
 
-// Point of the median coordinates, and half of the median distance of the particles from this point
-// along the axis where this distance is largest. If this median is 0, half of the largest distance
-// replaces the median, and 1 if all particles coincide. Distances are halved because full
-// differences may overflow.
+// Point of the median coordinates. HalfSize is half of the median distance of the particles from
+// this point, along the axis where this median is largest. If the median is 0, HalfSize is half of
+// the largest distance along an axis; if all particles coincide, 1. Distances are halved because
+// full differences may overflow.
 struct Middle
 {
   double At[3];

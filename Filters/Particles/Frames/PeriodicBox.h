@@ -15,8 +15,8 @@ namespace activesurface
 struct PeriodicBox : Periods
 {
   // Width of a margin around the box. Copies of particles in the margin affect the surface in the
-  // box: the ellipsoids of copies (up to 1.3 kernel radii) may overlap the box, or copies may
-  // change the ellipsoid and the strength of a particle in the box.
+  // box: the ellipsoids of copies may overlap the box, or copies may change the ellipsoid and the
+  // strength of a particle in the box.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
   // Returns the shortest difference that equals `difference` modulo the length of the box.
@@ -44,8 +44,7 @@ struct PeriodicBox : Periods
   }
 
   // Returns the first and last offset, in lengths of the box, at which a copy of a particle is in
-  // the box or its margin. The first offset is larger than the last if there is no such copy. Both
-  // offsets are 0 along an axis without period.
+  // the box or its margin. Both offsets are 0 along an axis without period.
   std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];

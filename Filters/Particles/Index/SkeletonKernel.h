@@ -36,7 +36,7 @@ ACTIVE_ALWAYS_INLINE KernelSample Choose(
   return { first ? one.Value : other.Value, first ? one.SlopeOverQ : other.SlopeOverQ };
 }
 
-// Wyvill, McPheeters and Wyvill 1986, in its sextic form.
+// After Wyvill, McPheeters and Wyvill 1986.
 struct WyvillKernel
 {
   static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)

@@ -13,8 +13,8 @@ namespace
 {
 
 // Deep (GroupFits) grows from 0 to 1 between these distances to the mean of the neighbours [radii
-// of the neighbourhood]. The distance is 0.24 in a deep body's flat surface layer, below 0.1
-// inside.
+// of the neighbourhood]. In a cubic lattice the distance is 0.2 in a deep body's surface layer,
+// below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
@@ -35,7 +35,7 @@ constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
 // Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
 // including the particle's own (1), sets the weight Shape of the ellipsoid (GroupFits): two
-// neighbours make 2.1, a sheet of one layer 4.2, a body's surface 5.8.
+// neighbours make 2.1, a sheet of one layer 4.2, a body's surface about 6.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
@@ -45,7 +45,7 @@ constexpr float ShareOfMean = .9f;
 
 // Thin (GroupFits) falls from 1 to 0 between the two ratios of a line. First line, shortest /
 // middle half-axis: 0 in a sheet of one layer, about 1 in a body. Second line, longest half-axis /
-// neighbourhood's radius: 0 for coincident particles, 0.15 for a pair, 0.33 in a body. The larger
+// neighbourhood's radius: 0 for coincident particles, 0.14 for a pair, 0.33 in a body. The larger
 // of both results counts.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;

@@ -324,7 +324,7 @@ void NodeFits::FindLacks(Search& search)
   }
 }
 
-// Lists the particles whose Share is not 0, a minority.
+// Lists the particles whose Share is not 0.
 void NodeFits::ListSurface()
 {
   const std::size_t count = this->Ellipsoids.size();
