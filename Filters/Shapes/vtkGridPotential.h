@@ -29,7 +29,7 @@
  *   along an edge.
  * - A mesh that is not closed becomes a shell if MeshThickness > 0: F is the unsigned distance -
  *   MeshThickness / 2. Otherwise the mesh is treated as a solid: points whose generalized winding
- *   number exceeds 1/2 in magnitude are inside. A cap from rim to rim then closes each hole.
+ *   number exceeds 0.51 in magnitude are inside. A cap from rim to rim then closes each hole.
  * - Treated as a solid, a sheet has no inside. The inside is undefined if neighbouring polygons are
  *   turned to different sides.
  *
@@ -162,8 +162,9 @@ public:
 
   /**
    * Box of the image, of the mesh or its shell, or of the active voxels of a level set [length].
-   * Outside the box F is not negative, unless the background of a level set is inside. Returns
-   * false, with uninitialized bounds, without usable input. Reads the input.
+   * Outside the box F is not negative; of a level set, from a voxel outside the box, and unless the
+   * background is inside. Returns false, with uninitialized bounds, without usable input. Reads the
+   * input.
    */
   bool GetGridBounds(double bounds[6]);
 
@@ -173,7 +174,8 @@ public:
   const char* GetDefects();
 
   /**
-   * Error of the last reading, as a sentence; empty if there was none. Reads the input.
+   * Error of the last reading, or a missing input, as a sentence; empty if there was none. Reads
+   * the input.
    */
   const char* GetError();
 

@@ -45,7 +45,7 @@
  *   point's radius / 4.5.
  * - The surface of a body passes at about the distance r outside its outermost points: a layer is a
  *   plane, and N points in a box have a volume of about N (2 r)^3.
- * - Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
+ * - Only points are possible; lines need SUM. Points of strength <= 0 add nothing. Kernel and
  *   Threshold apply only to SUM.
  *
  * With c_i, G_i the centre and the shape of an ellipsoid, s_i the strength of its point, normalized

@@ -13,8 +13,7 @@ struct MeshTriangles;
 //
 // The mesh's box, enlarged by the band, is an upper bound. If this bound exceeds the maximum,
 // counts the cubes that the mesh crosses; the side of a cube is twice the band. The estimate is
-// accurate for a flat mesh parallel to two axes and for a line parallel to an axis, else within a
-// factor of two.
+// accurate for a flat mesh parallel to two axes, else within a factor of about two.
 double EstimateVoxelsNear(const MeshTriangles& mesh, double voxelSize, double band, double maximum);
 
 }

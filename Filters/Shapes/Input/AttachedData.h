@@ -32,7 +32,7 @@ struct AttachedState
   std::shared_ptr<const NarrowBand> Skin;
   bool IsAtStep = false; //< true if the motion can resume from the state
   int Step = 0;          //< index of the time step, or of the previous one
-  /** Point arrays of the whole skin on rank 0 if the output is one rank's part; otherwise null. */
+  /** Point arrays of Skin on rank 0 if the output is only a part of Skin; otherwise null. */
   vtkSmartPointer<vtkPointData> WholeArrays;
   std::vector<std::pair<std::string, double>> Motion; //< properties that determine the motion
   /** Set if Skin is only one rank's part of the skin. Gather() returns the state of the whole skin

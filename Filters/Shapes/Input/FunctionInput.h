@@ -31,8 +31,8 @@ public:
   vtkDataObject* GetData() const { return this->Data; }
   vtkAlgorithmOutput* GetConnection() const;
 
-  // Returns the time of the last change of the data, or of anything upstream. Updates pipeline
-  // information; not thread-safe.
+  // Returns the time of the last change of the data, or of anything upstream. Asks the pipeline for
+  // its modification time; not thread-safe.
   vtkMTimeType FindMTime();
   // Returns the result of the last FindMTime; for a given data set its MTime, without input 0.
   // Cheap and thread-safe.
@@ -54,7 +54,7 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer;
   int Port = 0;
 
-  // State of the algorithm at the last FindMTime.
+  // State of the algorithm at the last change that FindMTime found, or the last Update.
   vtkMTimeType PipelineTime = 0;
   vtkMTimeType DataTime = 0;
   std::atomic<vtkMTimeType> Changed{ 0 };

@@ -1,10 +1,9 @@
 // Converts the polygons and strips of a vtkPolyData to triangles on merged points, and reports
 // defects. All code that needs the inside of a mesh uses this conversion.
 //
-// A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
-// number of crossings of a path to infinity then determines whether a point is inside. Bodies may
-// touch along an edge of four polygons. At an edge of one polygon there is a hole; at an edge of
-// three polygons a wall ends.
+// A mesh is closed if each edge belongs to an even number of its polygons, usually to two. Bodies
+// may touch along an edge of four polygons. At an edge of one polygon there is a hole; at an edge
+// of three polygons a wall ends.
 
 #ifndef MeshTriangles_h
 #define MeshTriangles_h
@@ -56,9 +55,9 @@ struct VTKACTIVESHAPES_EXPORT MeshTriangles
 // with every release of VTK. Lines and vertices are ignored.
 VTKACTIVESHAPES_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
-// Returns the bounding box of the valid polygons and strips, at a much lower cost than
-// ReadTriangles. Without valid ones, x min > x max. vtkPolyData::GetCellsBounds fails if a polygon
-// refers to a point that does not exist.
+// Returns the bounding box of the polygons and strips without missing or unusable points, at a much
+// lower cost than ReadTriangles. If there are none, x min > x max. vtkPolyData::GetCellsBounds
+// fails if a polygon refers to a point that does not exist.
 VTKACTIVESHAPES_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
 
 }
