@@ -49,7 +49,7 @@
  * @par Target with time steps, all of one kind
  * - Particles move in straight lines from step to step. Ids match the particles of two steps;
  *   particles of equal ids are matched in order of position. Without ids, indices match if both
- *   steps have equally many particles in the same order; else no particles match. A particle
+ *   steps have equally many points; if 100 or more particles seem reordered, none match. A particle
  *   missing in the next step fades out: its strength falls linearly to 0. A new particle fades in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
  *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
@@ -185,7 +185,7 @@ public:
 
   ///@{
   /** Makes values above TargetIsoValue the inside, also for an image at input port 1. Turn on for
-   * densities. Ignored for masks and fractions at TargetIsoValue 0. Default: off. */
+   * densities. Masks and fractions at TargetIsoValue 0 keep their inside. Default: off. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
@@ -202,8 +202,8 @@ public:
 
   ///@{
   /** Distance [length] from the target beyond which the attraction has a constant speed, Attraction
-   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing (set, or
-   * estimated as for VoxelSize), else 1/8 of ModelBounds' diagonal. Default: -1. */
+   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing (if
+   * VoxelSize would use it), else 1/8 of ModelBounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -303,11 +303,11 @@ public:
   // @name Resolution
 
   ///@{
-  /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Half the
-   * size needs 4 times the memory, 2 to 4 times the time, in explicit substeps 8 (with Tension 16).
-   * Range: 1e-30 to 1e30, or -1, automatic: ParticleSpacing / 2 if set or, with neither SUM nor
-   * ModelBounds, if estimated; else S / 64, where S is ModelBounds' longest side (set or default).
-   * Images without ModelBounds: the pixel's side if smaller, at least S / 1000. Default: -1. */
+  /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
+   * the memory, 2 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
+   * 1e30, or -1, automatic: ParticleSpacing / 2 if set (not for functions in ModelBounds) or, with
+   * neither SUM nor ModelBounds, if estimated; else S / 64 (S: longest side of ModelBounds).
+   * Images without ModelBounds: pixel's side if smaller, at least about S / 1000. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
@@ -442,13 +442,13 @@ public:
 
   ///@{
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
-   * over particles and masks one step for each time step, else EXPLICIT. That step carries the
-   * skin, evaluates the target once, at lattice nodes near the target's surface, and relaxes the
-   * skin towards the target. Particles and masks use EXPLICIT also with EQUILIBRIUM or PaperScheme
-   * (masks also with an initial shape or TargetNoise 0), and in these cases, with a warning if
-   * particles move: Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget,
-   * TargetIsoValue other than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off,
-   * TargetEvaluation not SHIFTED, GradientScheme CENTRAL. Default: AUTOMATIC. */
+   * over moving particles and masks one step for each time step (static, without an initial shape:
+   * no motion), else EXPLICIT. That step evaluates the target once, at lattice nodes near the
+   * target's surface. Particles and masks use EXPLICIT also with EQUILIBRIUM or PaperScheme (masks
+   * also with an initial shape or TargetNoise 0), and in these cases, with a warning if particles
+   * move: Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue
+   * other than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation
+   * not SHIFTED, GradientScheme CENTRAL. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -731,12 +731,12 @@ public:
   ///@}
 
   /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
-   * last one. The result is bitwise identical to that of the complete series, except velocities,
-   * which do not use the next frame. The frame becomes the input of port 0, and may be the same
-   * object with new contents. The first frame is at StartTime, or at the time of a loaded state;
-   * its dt (in the range) has no effect. GetOutput() is at the newest frame, whatever time is
-   * requested. A restart by a changed property begins at the newest frame, which keeps its time.
-   * Returns false, with an error, for a rejected frame, which changes nothing. Also returns false
+   * last one. Over particles of set ParticleSpacing, the result is bitwise that of the complete
+   * series, except velocities, which do not use the next frame. The frame becomes the input of port
+   * 0, and may be the same object with new contents. The first frame is at StartTime, or at the
+   * time of a loaded state; its dt has no effect. GetOutput() is at the newest frame, whatever time
+   * is requested. A restart by a changed property begins at the newest frame, which keeps its time.
+   * Returns false, with an error, for a rejected frame; the motion is unchanged. Also returns false
    * if the motion to the frame stops before its end (abort, MaximumNumberOfActiveVoxels). The frame
    * is then kept: Update() or the next frame resumes. Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
@@ -775,7 +775,7 @@ public:
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. The values are trilinear, with the correct sign everywhere (on one process): first-order
+   * time. The values have the correct sign everywhere (on one process), and are first-order
    * distances [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
    * always the same, with the new skin after each update. Before the first update and after an
    * error all space is outside. Each update restarts a surface that has this object as
