@@ -263,7 +263,7 @@ def has_number(name: str | Path) -> bool:
 def numbered(name: str | Path, number: int) -> Path:
     """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    Without a placeholder the number is appended, with four digits: skin_0007.ply.
+    ## stands for at least two digits. Without a placeholder the number is appended as for ####.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)

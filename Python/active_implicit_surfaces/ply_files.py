@@ -53,7 +53,7 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; numeric properties of vertices and polygons become arrays.
 
-    Raises OSError if the file is damaged, has no vertices, or polygons without vertex_indices.
+    Raises OSError if the file is damaged, has no element vertex, or faces without vertex_indices.
     """
     try:
         content = path.read_bytes()

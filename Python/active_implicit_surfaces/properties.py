@@ -101,7 +101,7 @@ def put(surface: Any, values: Mapping[str, Any]) -> None:
     TypeError
         There is no such property, or a value has a wrong type.
     ValueError
-        A value is out of the property's range, or a word is unknown.
+        A setter clamps a value to its range, or a word is unknown.
     """
     for one in values:
         find(one)
