@@ -104,7 +104,7 @@ def add_help(group: Any, properties: bool = False) -> None:
 
 
 def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]:
-    """Returns the given properties; ends the program if a value is out of its range."""
+    """Returns the given properties; ends the program if `put` rejects a value."""
     start = "property_"
     given = {
         name[len(start) :]: value
