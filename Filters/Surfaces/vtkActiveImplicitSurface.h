@@ -369,9 +369,9 @@ public:
 
   ///@{
   /** Amplitude [length] of noise in the target's surface. Well within this distance of the target
-   * the skin follows slowly, at 3 % of Attraction. Farther away the rate rises; in a body of
-   * particles the rate is Attraction from 1.5 times this distance on. Over masks the rate is 0
-   * within this distance. Transport moves the skin of a body only if its particles move together:
+   * the skin follows slowly, at 3 % of Attraction or less. Farther away the rate rises; in a body
+   * of particles the rate is half of Attraction at 1.5 times this distance. Over masks the rate is
+   * 0 within this distance. Transport moves the skin of a body only if its particles move together:
    * velocities within the error of their mean are ignored. Drops and threads are not affected. The
    * skin of a fluid in a steady state is smooth, does not move, and is at most about this distance
    * from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over
