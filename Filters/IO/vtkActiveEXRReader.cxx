@@ -318,7 +318,7 @@ int vtkActiveEXRReader::RequestData(
   }
 }
 
-// Reports an error once and empties the output.
+// Reports an error and empties the output.
 int vtkActiveEXRReader::Fail(
   unsigned long code, const std::string& sentence, vtkInformationVector* outputs)
 {

@@ -43,8 +43,8 @@
  *   calls.
  *
  * @par Errors
- * - A file that is missing, truncated, damaged or no EXR file, or needs more than MaximumMemory,
- *   causes one error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
+ * - A file that is missing, truncated, damaged or no EXR file, or needs more than MaximumMemory, is
+ *   an error. ErrorCode returns the kind of error (vtkErrorCode), and the output is empty.
  * - Sizes in a header are validated against the file size before memory is allocated.
  */
 

@@ -18,7 +18,7 @@
  *   | Z, id, others of 1            | its name as it is              |
  *
  * - Integer colors are arrays of unsigned char or unsigned short with 3 or 4 components, such as
- *   pictures from other readers and from windows.
+ *   pictures from other readers and from windows, and all integer arrays RGB and RGBA.
  * - A dot in the name of an array of one component assigns the array to a layer.
  * - If the components of an array have names (SetComponentName), these names follow the dot, but
  *   not for the first two rows of the table. AddChannel replaces all these rules for an array.
@@ -31,8 +31,8 @@
  * - Colors in EXR files are linear. The colors of a render window are encoded for a display: set
  *   ColorEncoding to SRGB for them.
  * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
- *   vtkActiveEXRReader returns the same bytes for float and unsigned int arrays, except where
- *   AssignPixelType, ColorEncoding or DWAA changes values.
+ *   vtkActiveEXRReader returns the same values for float and unsigned int arrays, except for
+ * integer colors, and where AssignPixelType, ColorEncoding or DWAA changes values.
  *
  * @par Series
  * - FileName may contain a run of #, or \%d or \%04d, which FrameNumber replaces. FilePrefix and
@@ -48,8 +48,8 @@
  * @par Errors
  * - A file is written whole or not at all: first under a temporary name in the same folder, then
  *   renamed.
- * - A failure is one error. ErrorCode returns the kind of error (vtkErrorCode), and an existing
- *   file is kept.
+ * - After a failure, ErrorCode returns the kind of error (vtkErrorCode), and an existing file is
+ *   kept.
  */
 
 #ifndef vtkActiveEXRWriter_h
@@ -118,7 +118,8 @@ public:
   /**
    * Encoding of the input's colors (arrays RGB and RGBA, and unsigned char or unsigned short arrays
    * of 3 or 4 components). LINEAR (0): linear light, not decoded. SRGB (1): encoded for a display;
-   * all components but alpha are decoded to linear light. Default: LINEAR.
+   * all components but alpha, and those assigned UINT, are decoded to linear light. Default:
+   * LINEAR.
    */
   vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
   vtkGetMacro(ColorEncoding, int);
@@ -155,7 +156,7 @@ public:
 
   ///@{
   /**
-   * Attribute timeCode, as "hours:minutes:seconds:frame", two digits each. Default: none.
+   * Attribute timeCode, as "hours:minutes:seconds:frame", at most two digits each. Default: none.
    */
   vtkSetStringMacro(TimeCode);
   vtkGetStringMacro(TimeCode);

@@ -7,8 +7,8 @@
  *   vectors of three) become a vtkImageData. The chosen grids have to share one transform. Each
  *   voxel is a point of the image, and each grid is a point array. Tiles and background are
  *   expanded to voxels.
- * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared and
- *   perspective grids are an error.
+ * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared
+ * volumes are an error, and so are all grids in perspective.
  * - A points grid becomes a vtkPolyData with a vertex for each point and all attributes (groups as
  *   0 or 1).
  * - With OutputDense off, a level set is passed to an input port of a vtkActiveImplicitSurface, or
@@ -18,15 +18,15 @@
  *   empty.
  *
  * @par Reading
- * - Only the chosen grids are read. If Region is a box, only leaves that meet the box are read,
- *   except in bool and mask grids and in files with a wrong table of leaf sizes.
+ * - Only the chosen grids are read. If Region is a box, only leaves near the box are read, except
+ *   in bool and mask grids, in instances, and in files with a wrong table of leaf sizes.
  * - Several files are a series of time steps. The times are the metadata "time" of the files or of
  *   their first grids, or 0, 1, 2... if a file has no time or the times do not increase. A request
  *   for a time between two steps returns the earlier step.
  *
  * @par Errors
- * - A file is validated down to its last leaf before it is read. A damaged file is an error with an
- *   ErrorCode, and the outputs are empty.
+ * - Before a grid is read, all supported grids of the file are validated down to the last leaf. A
+ *   damaged file is an error with an ErrorCode, and the output is empty.
  * - Files older than OpenVDB 2 are an error.
  */
 
@@ -144,11 +144,11 @@ public:
   /**
    * Grids of the file, or of that file of a series that was read last; available after
    * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
-   * vec3s, vec3d, vec3i, points), or the tree's type if the value type is unknown. Half floats have
-   * the type "float", and GetGridIsHalfFloat() is true. The class is a text of the file such as
-   * "level set" or "fog volume", else "unknown". GetGridIsInstance() is true if the grid shares the
-   * tree of another grid. GetGridBox() returns the box of the active voxels in index coordinates.
-   * An index out of range returns an empty text, 0, false or an empty box.
+   * vec3s, vec3d, vec3i, points), or the tree's type if the value type is unknown. If a file stores
+   * a floating-point grid as half floats, GetGridIsHalfFloat() is true. The class is a text of the
+   * file such as "level set" or "fog volume", else "unknown". GetGridIsInstance() is true if the
+   * grid shares the tree of another grid. GetGridBox() returns the box of the active voxels in
+   * index coordinates. An index out of range returns an empty text, 0, false or an empty box.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();

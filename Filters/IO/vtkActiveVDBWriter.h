@@ -115,6 +115,7 @@ public:
    * Adds a grid, named after the array, for each point array of one or three components. Grids of a
    * surface have values near the skin: floating-point numbers are interpolated at the skin's
    * nearest point; integers are those of the corner with the largest weight in this interpolation.
+   * Vectors of integers beyond int32 become double and are interpolated.
    * Grids of an image have all values. Arrays of another number of components are an error.
    * Default: off.
    */

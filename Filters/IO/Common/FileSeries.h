@@ -13,8 +13,8 @@ namespace activesurface
 {
 
 // Inserts the number into the pattern. The number replaces the last run of # in the file's name,
-// padded by zeros to the length of the run. Without #, the number replaces %d or %0Nd. Without any
-// placeholder, inserts at least four digits before the extension if `always` is true.
+// padded by zeros to the length of the run, at most 32. Without #, the number replaces %d or %0Nd.
+// Without any placeholder, inserts at least four digits before the extension if `always` is true.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
 // Times of the files of a series; NaN: unavailable. If a time is not finite, or the times do not

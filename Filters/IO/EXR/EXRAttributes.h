@@ -17,8 +17,8 @@ namespace activesurface
 // vectors. Time codes and the compression become texts.
 void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 
-// Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form or a number is
-// out of range.
+// Sets timeCode from "hours:minutes:seconds:frame". Throws FileError for other texts, and for
+// numbers out of range.
 void AddTimeCode(Imf::Header& header, const std::string& text);
 
 }

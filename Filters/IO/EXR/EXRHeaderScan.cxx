@@ -103,9 +103,8 @@ int CountLinesOfChunk(Imf::Compression compression)
   }
 }
 
-// Returns an upper bound of the ratio of unpacked to packed bytes: 1 without compression, else that
-// of deflate. RLE, PIZ and B44 have lower ratios. DWA, which deflates the means of blocks of 64
-// pixels, has 64 times this bound.
+// Returns the largest accepted ratio of unpacked to packed bytes: 1 without compression, else that
+// of deflate. DWA, which deflates the means of blocks of 64 pixels, has 64 times this ratio.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;

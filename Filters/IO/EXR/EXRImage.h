@@ -27,7 +27,7 @@ struct EXRPart
   std::string Type; // scanlineimage, tiledimage, deepscanline or deeptile
   std::vector<EXRChannel> Channels;
   EXRExtent Data{}, Display{};
-  double Time = std::nan(""); // the attribute "time"
+  double Time = std::nan(""); // the attribute "time", a double
   double ChunkBytes = 0.0;    // bytes of the lines or the tile that OpenEXR unpacks at a time
 };
 

@@ -22,7 +22,7 @@ struct EXRLayer
 {
   std::string Array;
   std::vector<std::string> Channels;
-  std::vector<std::string> Components; // text after the dot; empty for an array of one component
+  std::vector<std::string> Components; // empty for an array of one component
   bool Integer = false;
 };
 

@@ -59,7 +59,7 @@ public:
 
   // Throws FileError unless every byte has reached the file.
   void Close();
-  // Returns the errno of the first failed write; 0 if none failed.
+  // Returns the errno of the first failure; 0 if there was none.
   int GetErrorNumber() const { return this->ErrorNumber; }
 
 private:

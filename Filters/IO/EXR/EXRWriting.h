@@ -42,7 +42,7 @@ struct EXRHeaderSettings
   int Compression = 1;              // CompressionType of vtkActiveEXRWriter
   int Level = 4;                    // of ZIP and ZIPS
   std::array<int, 4> Extent{};      // first and last column, first and last row from below
-  std::array<int, 2> DisplaySize{}; // 0: the extent is the display window
+  std::array<int, 2> DisplaySize{}; // 0: the extent, moved to (0, 0)
   double PixelAspectRatio = 1.0;
   double FramesPerSecond = 0.0;                            // 0: not written
   std::string TimeCode;                                    // empty: not written
@@ -51,8 +51,8 @@ struct EXRHeaderSettings
   std::map<std::string, double> Numbers;
 };
 
-// Throws std::exception on failure (FileError, or OpenEXR's), and then keeps an existing file. The
-// text of the error does not name the file; the caller adds the name.
+// Throws std::exception on failure, and then keeps an existing file. The caller adds the file's
+// name to the text of the error.
 void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
   const std::vector<EXRSource>& sources);
 

@@ -12,8 +12,8 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Throws std::invalid_argument for a grid that is not of points. Throws std::runtime_error for more
-// points than `maximum`, an unsupported attribute or a damaged grid.
+// Throws std::exception for a grid that is not of points or is damaged, for more points than
+// `maximum`, and for an unsupported attribute.
 void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData* data);
 
 }

@@ -1,4 +1,4 @@
-// Computes exact distances from lattice nodes to the triangles of a NarrowBand's skin.
+// Computes distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
 // The potential provides only the sign, because the potential is no exact distance. The search for
 // a node starts at the nearest triangles of the neighbour nodes in earlier layers. The search moves

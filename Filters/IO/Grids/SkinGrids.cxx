@@ -90,7 +90,7 @@ openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, cons
 
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
 {
-  constexpr double smallest = 2e-5; // OpenVDB treats smaller determinants as 0
+  constexpr double smallest = 2e-5; // OpenVDB treats determinants below 3e-15 as 0
   if (!(voxelSize >= smallest))
   {
     std::ostringstream text;

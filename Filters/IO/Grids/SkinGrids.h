@@ -10,17 +10,18 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// Returns a level set named "surface" [world units], with the exact transform of the lattice.
-// Throws std::invalid_argument for voxels too small for OpenVDB.
+// Returns a level set named "surface" [world units], with a node of the lattice at 0. Throws
+// std::invalid_argument for voxels too small for OpenVDB.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 
 // Returns "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels
 // (HalfWidth).
 openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface);
 
-// Returns a point array's values at the nodes near the surface. Floating-point numbers are
-// interpolated on the nearest triangle. Integers are those of the corner with the largest weight in
-// this interpolation. Throws std::invalid_argument unless the array has one or three components.
+// Returns a point array's values at the nodes near the surface. Values of floating-point grids (see
+// DispatchValues) are interpolated on the nearest triangle. Values of integer grids are those of
+// the corner with the largest weight in this interpolation. Throws std::invalid_argument unless the
+// array has one or three components.
 openvdb::GridBase::Ptr MakeArrayGrid(
   vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band);
 
