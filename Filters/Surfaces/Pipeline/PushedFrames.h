@@ -43,7 +43,7 @@ public:
   void Withdraw();
   // Makes the newest frame the first one.
   void ForgetPast() { this->Times = { this->Times.back() }; }
-  // Discards all frames; the next frame becomes the first one.
+  // Discards all times; the next frame becomes the first one.
   void Stop() { this->Times.clear(); }
 
 private:

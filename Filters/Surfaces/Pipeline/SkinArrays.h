@@ -21,7 +21,7 @@ bool NeedSpeeds(const OutputProperties& properties);
 vtkSmartPointer<vtkFloatArray> MakeCurvature(const NarrowBand& band);
 
 // Adds the requested arrays. The simulation must be at the requested time, and `skin` must have its
-// points. normals: outward normals at the points; empty if no array needs normals.
+// points. normals: outward normals at the points; used only if NeedNormals returns true.
 void AddSkinArrays(const OutputProperties& properties, const SurfaceSimulation& simulation,
   const vtkFloatArray* normals, vtkPolyData* skin);
 

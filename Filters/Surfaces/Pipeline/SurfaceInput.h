@@ -53,7 +53,7 @@ public:
 
   // Time steps of the input; empty without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
-  // Returns true if the input has a time range without time steps.
+  // Returns true if the input has a nonempty time range and no time steps.
   static bool IsContinuous(vtkInformation* information);
 
   // Returns descriptions of the arrays chosen for radii, ids, strengths, values of the target's

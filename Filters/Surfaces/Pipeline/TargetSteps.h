@@ -37,8 +37,8 @@ public:
   // Adds the input's current data as the first step, if this step is still missing.
   void AddFirst(vtkInformation* target);
 
-  // Returns a step, by an update within RequestData. Throws std::runtime_error if the update fails,
-  // or if mayGoBack is false: the input provides each step only once.
+  // Updates the input to a step, and returns the step. Throws std::runtime_error if the update
+  // fails, or if mayGoBack is false: the input provides each step only once.
   std::shared_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
 
   // Returns the current data of the input.

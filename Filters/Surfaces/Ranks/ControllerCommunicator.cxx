@@ -100,7 +100,7 @@ void ControllerCommunicator::Swap(const std::vector<Bytes>& toEach, std::vector<
     fromEach);
 }
 
-// In each pass, a rank exchanges bytes with one other rank. The lower rank sends first.
+// In each pass, a rank exchanges bytes with at most one other rank. The lower rank sends first.
 template <class GetOwn>
 void ControllerCommunicator::SwapInPairs(GetOwn&& getOwn, std::vector<Bytes>& fromEach)
 {

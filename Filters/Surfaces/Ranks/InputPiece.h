@@ -48,8 +48,7 @@ struct PieceArrays
   std::vector<vtkAbstractArray*> Chosen;
 };
 
-// Return a piece that shares the points and arrays of the input, unless points or cells are
-// removed.
+// Return a piece that shares the points and arrays of the input, if the input has no ghosts.
 InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays);
 InputPiece MakeCellPiece(vtkPolyData* cells, const PieceArrays& arrays);
 InputPiece MakeImagePiece(vtkImageData* image, vtkAbstractArray* values);

@@ -25,7 +25,7 @@ public:
   MotionDriver(const MotionDriver&) = delete;
   void operator=(const MotionDriver&) = delete;
 
-  // Has to be called after a change of the settings.
+  // Deletes what depends on the settings.
   void Clear()
   {
     this->Solid.reset();

@@ -111,7 +111,7 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
 namespace
 {
 
-// Returns true if the settings differ only by the data of an input without time steps.
+// Returns true if the settings differ only by the data of a static target.
 bool AreDataReplaced(const SurfaceSettings& old, const SurfaceSettings& next)
 {
   SurfaceSettings same = next;

@@ -1,4 +1,4 @@
-// Warnings about a completed motion, and the motion's event in the history.
+// Warnings about completed and restarted motions, and the event of a motion in the history.
 
 #ifndef MotionWarnings_h
 #define MotionWarnings_h

@@ -45,8 +45,8 @@ struct ArrayFrames
 
 // Returns the frames at the requested time. If wantsInterval, as velocities do, returns the frames
 // of the interval before the requested step instead; at the first step, and at a time between
-// steps, of the interval after the step. For a forward-only input whose frame before is not stored,
-// returns only the frame at the requested step. A static target has only frame 0.
+// steps, of the interval after the step. For a forward-only input whose frame before is not stored
+// with the arrays, returns only the frame at the requested step. A static target has only frame 0.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 

@@ -32,7 +32,7 @@ struct FirstShapes
 {
   vtkBoundingBox Shapes;  // of shapes that are not images
   vtkBoundingBox Images;  // of images
-  double ParticleSpacing; // [length]; 0: no particles, or unknown
+  double ParticleSpacing; // [length]; 0: does not determine the voxel size
   double Pixel;           // of the finest image [length]; 0: no image
 };
 
@@ -41,7 +41,7 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
 // Makes the domain from the boxes of the target and the initial shape. The box of all shapes except
 // images is enlarged by an eighth of its longest side at each end. If there are images, the common
-// box of images and shapes is enlarged by two voxels at each end.
+// box of images and shapes is enlarged by two voxels (of the size for images) at each end.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
 // Makes a domain without extent, for a start on an empty frame. Requires HasOwnSizes() of the

@@ -8,7 +8,7 @@
 //   simulation.GetBand() is the surface at that time
 //
 // The next Advance continues a motion that the user or an error has interrupted. A request for an
-// earlier time restores a checkpoint.
+// earlier time restores a checkpoint or, without a checkpoint, restarts the motion.
 
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
@@ -177,7 +177,7 @@ public:
   {
     return this->ViewOf(this->ShareWholeBand());
   }
-  // The whole state, which extends beyond the sides of a periodic box.
+  // The state without a cut at the sides of a periodic box.
   std::shared_ptr<const NarrowBand> ShareWholeBand() const
   {
     return this->Whole ? this->Whole : this->Path.Share(this->Requested);

@@ -162,8 +162,8 @@ TargetOptions TargetBuilder::GetOptions() const
   return options;
 }
 
-// Returns a message about defects, or an empty string. Throws std::runtime_error if the shape is
-// unusable. Messages begin with `where`.
+// Returns a message about defects, or an empty string. Throws if the shape is unusable. Returned
+// messages, and those of std::runtime_error, begin with `where`.
 std::string TargetBuilder::PrepareShape(
   InputShape& shape, const TargetOptions& options, const std::string& where) const
 {

@@ -35,19 +35,19 @@ struct ValuesInUse
 class TargetBuilder
 {
 public:
-  // Keeps references to the arguments. Clear has to follow a change of the settings.
+  // Keeps references to the arguments.
   TargetBuilder(const SurfaceSettings& settings, Warnings& warnings);
   TargetBuilder(const TargetBuilder&) = delete;
   void operator=(const TargetBuilder&) = delete;
 
+  // Deletes what depends on the settings and the inputs.
   void Clear();
 
   // Limits the distance grids of meshes added later to ten times this number of voxels.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
-  // Adds the frame of a step; the last two frames are stored. Throws std::invalid_argument or
-  // std::runtime_error, and does not store the frame, if the frame is of another kind than earlier
-  // frames or cannot be used.
+  // Adds the frame of a step; the last two frames are stored. Throws, and does not store the frame,
+  // if the frame is of another kind than earlier frames or cannot be used.
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
@@ -145,7 +145,7 @@ public:
   // added, for functions without bounds, and for an empty first frame if neither HasOwnSizes() nor
   // a spacing gives the sizes. Throws std::invalid_argument for invalid settings.
   const SurfaceDomain* FindDomain();
-  // Also returns null before the first call of FindDomain.
+  // Returns the domain that FindDomain or SetDomain has set; null before.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
   // Origin of the positions of all shapes, see SurfaceDomain.
   const std::array<double, 3>& GetOrigin() const { return this->Domain.Origin; }
@@ -182,7 +182,7 @@ public:
   std::unique_ptr<PotentialTarget> MakeTargetAt(
     int step, double begin, double end, bool hasPoints = true) const;
 
-  // Returns the initial shape; null: the surface starts on the target. Requires StartTarget.
+  // Returns the initial shape; null: the surface starts on the target. Requires a domain.
   std::unique_ptr<PotentialTarget> MakeStart();
 
 private:

@@ -30,7 +30,7 @@ public:
   // Keeps references to the arguments.
   TargetCoverage(const SurfaceSettings& settings, const TargetBuilder& shapes);
 
-  // Has to be called after a change of the settings or the inputs.
+  // Deletes the points, which depend on the settings and the inputs.
   void Clear();
 
   // Returns the fraction, in [0,1], for the target at a stored step; 0 without a target. Collective

@@ -2,8 +2,8 @@
 //
 // Uses the function's own gradient if this is reliable, otherwise central differences. VTK's
 // vtkImplicitBoolean returns the gradient of a difference for a union and an intersection. A
-// vtkImplicitBoolean is therefore evaluated term by term, and the term that determines the value
-// provides the gradient. The sign of the gradient of a vtkImplicitBoolean may be wrong; the
+// vtkImplicitBoolean without a transform is therefore evaluated term by term, and the term that
+// determines the value provides the gradient. The sign of this gradient may be wrong; the
 // gradient's length is correct.
 
 #ifndef FunctionSampler_h

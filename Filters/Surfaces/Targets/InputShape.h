@@ -65,7 +65,7 @@ public:
   /**
    * Makes radii and functions, and reports ignored data. Call this when the shape is added, and
    * again when the voxel size is available. Returns a message about defects of usable data, or an
-   * empty string. Throws std::runtime_error for unusable data.
+   * empty string. Throws for unusable data.
    */
   virtual std::string Prepare(const TargetOptions& options, const Warnings& messages);
 

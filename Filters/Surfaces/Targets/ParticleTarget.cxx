@@ -9,8 +9,8 @@ namespace activesurface
 namespace
 {
 
-// Visits the points at 1 and 1.5 spacings outward of a particle, where a hollow may be. The second
-// point is for a surface that is farther from the particle.
+// Visits the points at 1 and 1.5 own diameters outward of a particle, where a hollow may be. The
+// second point is for a surface that is farther from the particle.
 void VisitHollow(
   const SkeletonVertex& particle, const double outward[3], const RegionVisitor& visit)
 {
