@@ -6,9 +6,10 @@ Elements of a template:
 
 - <Own name="X" />: property X of the proxy's class: command, type, default, choices, range and
   documentation follow from the table. An Own may stand in a PropertyGroup. Attributes:
-  advanced="1" (shown by the gear), if="Y=1" or if="Y!=0" (shown for this value of Y), if_input or
-  unless_input (shown for this type of the input), choices (their labels). Other attributes and
-  elements are copied, and replace those of the table.
+  advanced="1" (shown by the gear), if="Y=1" or if="Y!=0" (shown for these values of Y), if_input
+  (shown for this type of the input), unless_input (shown for other types), choices (their
+  labels), required="1" (a function other than None). Other attributes and elements are copied,
+  and replace those of the table.
 - <InUse name="X" />: the value of XInUse, advanced and read-only; the text of X refers to XInUse.
 - <Array name="X" number="N" />: point array that SetInputArrayToProcess(N, ...) chooses, with
   input, domain and kind ("Scalars" or "Vectors").
