@@ -32,7 +32,7 @@
  *   ColorEncoding to SRGB for them.
  * - Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
  *   vtkActiveEXRReader returns the same values for float and unsigned int arrays, except for
- * integer colors, and where AssignPixelType, ColorEncoding or DWAA changes values.
+ *   integer colors, and where AssignPixelType, ColorEncoding or DWAA changes values.
  *
  * @par Series
  * - FileName may contain a run of #, or \%d or \%04d, which FrameNumber replaces. FilePrefix and
@@ -118,8 +118,7 @@ public:
   /**
    * Encoding of the input's colors (arrays RGB and RGBA, and unsigned char or unsigned short arrays
    * of 3 or 4 components). LINEAR (0): linear light, not decoded. SRGB (1): encoded for a display;
-   * all components but alpha, and those assigned UINT, are decoded to linear light. Default:
-   * LINEAR.
+   * all components but alpha are decoded to linear light, unless assigned UINT. Default: LINEAR.
    */
   vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
   vtkGetMacro(ColorEncoding, int);

@@ -8,7 +8,7 @@
  *   voxel is a point of the image, and each grid is a point array. Tiles and background are
  *   expanded to voxels.
  * - Scale and translation become spacing and origin, rotations the direction matrix. Sheared
- * volumes are an error, and so are all grids in perspective.
+ *   volumes and perspective grids are an error.
  * - A points grid becomes a vtkPolyData with a vertex for each point and all attributes (groups as
  *   0 or 1).
  * - With OutputDense off, a level set is passed to an input port of a vtkActiveImplicitSurface, or
@@ -65,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Name of the grid to read; AddGridName adds more. Grids of equal name are called name, name[1],
-   * name[2]... Default: none, the first level set, else the first fog, else the first points, else
-   * the first grid of any other kind.
+   * Name of the grid to read; AddGridName adds more. Grids of equal name are called name[0] (or
+   * name), name[1], name[2]... Default: none, the first level set, else the first fog, else the
+   * first points, else the first grid of any other kind.
    */
   void SetGridName(const char* name);
   void AddGridName(const char* name);
