@@ -1,6 +1,6 @@
-// Provides components of VTK arrays as samples of channels, without a copy if the types agree.
-// Values of other types are converted; a value that does not fit the type of the channel is an
-// error.
+// Provides components of VTK arrays as samples of channels, without a copy if the types agree and
+// no color is decoded. Other values are converted; a value that does not fit the type of the
+// channel is an error.
 
 #ifndef EXRPixels_h
 #define EXRPixels_h
@@ -18,7 +18,7 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// Requested channel.
+// Channel to write.
 struct EXRSource
 {
   std::string Channel;
