@@ -139,7 +139,7 @@ void Add(const char* name, const std::vector<Number>& numbers, vtkFieldData* dat
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtkTypeTraits<Number>::VTKTypeID()));
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(numbers.size()));
-  array->SetNumberOfTuples(1);
+  array->SetNumberOfTuples(numbers.empty() ? 0 : 1);
   std::copy(numbers.begin(), numbers.end(), static_cast<Number*>(array->GetVoidPointer(0)));
   data->AddArray(array);
 }

@@ -9,9 +9,11 @@
 #include "vtkActiveEXRWriter.h"
 
 #include <ImfChannelList.h>
+#include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -343,6 +345,28 @@ TEST(TestEXRRoundTrip, HeaderComesBackAsFieldData)
   EXPECT_EQ(number("worldToCamera", 3), 5.0) << "a matrix as VTK has it";
   const Imf::InputFile file(name.c_str());
   EXPECT_TRUE(text("software").find("Active Implicit Surfaces") == 0) << "software";
+}
+
+TEST(TestEXRRoundTrip, ListsOfNumbersMayBeEmpty)
+{
+  Imf::Header header(1, 1);
+  header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+  header.insert("none", Imf::FloatVectorAttribute());
+  header.insert("two", Imf::FloatVectorAttribute({ 1.5f, -2.0f }));
+  float pixel = 3.0f;
+  Imf::FrameBuffer frame;
+  frame.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixel), 4, 4));
+  const std::string name = OutputName("lists.exr");
+  {
+    Imf::OutputFile file(name.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(1);
+  }
+  const auto copy = Read(name);
+  ASSERT_TRUE(copy->GetFieldData()->GetArray("none"));
+  EXPECT_EQ(copy->GetFieldData()->GetArray("none")->GetNumberOfTuples(), 0);
+  EXPECT_EQ(copy->GetFieldData()->GetArray("two")->GetComponent(0, 0), 1.5);
+  EXPECT_EQ(copy->GetFieldData()->GetArray("two")->GetComponent(0, 1), -2.0);
 }
 
 }
