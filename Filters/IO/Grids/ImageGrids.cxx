@@ -100,8 +100,8 @@ openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
   catch (const openvdb::Exception&)
   {
     throw std::invalid_argument(
-      "The image cannot be placed in a .vdb file: a spacing is 0, or voxels are smaller than about "
-      "1e-5; correct the spacing, or scale the scene up.");
+      "The image cannot be placed in a .vdb file: a spacing is 0, or the volume of a voxel is "
+      "below about 3e-15; correct the spacing, or scale the scene up.");
   }
 }
 
