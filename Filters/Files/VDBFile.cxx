@@ -190,7 +190,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
   this->ReadTransform(grid);
-  // If type and metadata disagree about half floats, OpenVDB's reader follows the metadata.
+  // Validation follows the type, OpenVDB's reader follows the metadata.
   const openvdb::Metadata::ConstPtr half =
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
@@ -348,8 +348,8 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error(
-      "The grid " + grid.Name + " of the file " + file + " cannot be read: " + error.what() + ".");
+    throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
+      " cannot be read: " + error.what() + "; free memory, or write the file again.");
   }
 }
 

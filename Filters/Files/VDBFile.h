@@ -55,7 +55,7 @@ struct VDBFile
  * Validates a file and lists its grids. If `trees` is false, skips the trees of a file that has the
  * offsets of its grids, as OpenVDB's io::File writes them. Throws std::runtime_error, with the name
  * of the file, for a file that cannot be read: for example, a file that is missing or damaged, or
- * whose format is older than version 222 or newer than the library.
+ * whose format is older than version 222 or newer than the library's.
  */
 ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
