@@ -186,7 +186,7 @@ public:
    * Adds or replaces an attribute of the header, a text or a number (written as double). Customary
    * texts: owner (author), comments, software (at first this package and its version), capDate
    * (date of capture, as "YYYY:MM:DD hh:mm:ss"). No time of day is written by default, so equal
-   * input makes equal bytes. ClearAttributes() removes all attributes, software too.
+   * input makes equal bytes. ClearAttributes() removes all added attributes, and software.
    */
   void AddAttribute(const char* name, const char* text);
   void AddAttribute(const char* name, double number);

@@ -5,26 +5,26 @@
  * @par Input
  * - Output port 0 or 1 of a vtkActiveImplicitSurface. The grids are made from the surface's narrow
  *   band, without a dense image.
- * - Any closed vtkPolyData: each edge belongs to an even number of polygons; the points have to
- *   exist and be finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
+ * - Any closed vtkPolyData: each edge belongs to an even number of polygons, whose points exist and
+ *   are finite. OpenVDB's meshToVolume converts the mesh with voxels of VoxelSize.
  * - Any vtkImageData.
  *
  * @par Grids of a surface
  * - "surface": a level set. The values are the distance to the triangles [length], exact for a
  *   skin, negative inside, within 3 voxels on either side, and +-3 voxels beyond. The transform is
- *   exact: nodes are at multiples of VoxelSize, that of the vtkActiveImplicitSurface or, for
- *   another mesh, that of the writer.
+ *   exact: nodes are at multiples of the vtkActiveImplicitSurface's VoxelSize or, for another mesh,
+ *   the writer's.
  * - The properties below add the state to resume from, a fog, the velocity and the point arrays.
  *
  * @par Grids of an image
  * - A grid for the active scalars, else for the first point array. The grid has the array's name,
  *   or "density" for an array without a name. Active values are those that are not 0 or, in a level
- *   set, those within 3 voxels; see GridClass.
+ *   set, those within 3 voxels of the surface; see GridClass.
  *
  * @par Metadata of the file and of all grids
- * - creator, time [pipeline time] (0 if the input has none), frame (number of the time step),
- *   units, and, from a vtkActiveImplicitSurface, motion_X for each property X that determines the
- *   motion.
+ * - creator, time [pipeline time] (0 if the input has none), frame (index of the time step, from
+ *   0), units, and, from a vtkActiveImplicitSurface, motion_X for each property X that determines
+ *   the motion.
  *
  * @par Errors
  * - A file is written under a temporary name, validated and then renamed, so it appears as a whole

@@ -135,9 +135,8 @@ private:
   std::int64_t Sum = 0;
 };
 
-/** Sends the first vertices of own leaves to the ranks of neighbour leaves; returns the first
- * vertices received.
- */
+/** Sends the LeafVertices of own leaves to the ranks of neighbour leaves. Returns the LeafVertices
+ * received, by origin. */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
   std::vector<std::vector<BandPart::LeafVertices>> toEach(

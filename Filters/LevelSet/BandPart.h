@@ -35,7 +35,7 @@ struct BandPart
   std::size_t Crossings = 0; //< crossed edges of all ranks
   std::size_t ActiveNodes = 0;
   SkinMeasure Measure; //< [voxels]
-  /** First vertex of each own leaf that has vertices, in the table's order. */
+  /** Number of the first vertex of each own leaf that has vertices, in the table's order. */
   std::vector<std::int64_t> FirstVertices;
   std::vector<LeafVertices> Foreign; //< leaves of other ranks next to own leaves, by origin
 
@@ -47,7 +47,7 @@ std::shared_ptr<const BandPart> CountTogether(
   const LeafTable& table, const std::shared_ptr<const Domain>& space);
 
 /** Returns, for each vertex of a table, its number in the whole skin. The number is -1 in leaves
- * far from this rank's own leaves, and on edges that are not crossed in the owner's copy of the
+ * not next to this rank's own leaves, and on edges that are not crossed in the owner's copy of the
  * leaf. part: null if the table is whole. */
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
 

@@ -54,8 +54,8 @@ struct BandState
   /** Replaces the potential. Derives the layers and the active nodes from the signs; in the paper's
    * scheme, active nodes also depend on the tree's active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** Replaces the potential and the layers. Unless Paper, and if HasGhosts, extrapolates the
-   * ghosts from the active nodes. */
+  /** Replaces the potential and the layers. If HasGhosts and not Paper, extrapolates the ghosts
+   * from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   /** Sets the totals of a partitioned band; null: the band is whole. Also sets the domain with
    * which LeafTable::Rebuild finds the owners of leaves. */
@@ -89,7 +89,7 @@ struct BandState
    * and count as the values at the start. */
   void Confine(const Walls& walls, Obstacle* obstacle);
 
-  /** Moves the surface towards the value that an exact control conserves, by at most 1.5 voxels, or
+  /** Restores the area or volume of an exact control: moves the surface by at most 1.5 voxels, or
    * 12 voxels in the node scheme. Does nothing without an exact control. */
   void RestoreControlled(const Motion& motion);
   void FinishFrame();

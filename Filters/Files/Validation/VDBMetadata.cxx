@@ -59,7 +59,7 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     }
     return;
   }
-  // OpenVDB reads a registered type of fixed size by this size, and ignores the size in the file.
+  // For a registered type of fixed size, OpenVDB reads this size, and ignores the size in the file.
   const bool isOfAnySize = type == openvdb::StringMetadata::staticTypeName() ||
     type == LeafSizesType || !openvdb::Metadata::isRegisteredType(type);
   if (!isOfAnySize && openvdb::Metadata::createMetadata(type)->size() != size)

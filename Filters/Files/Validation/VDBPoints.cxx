@@ -193,8 +193,8 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Reads a number of items of at least `least` bytes each. Throws if the rest of the file is too
- * short for these items. */
+/** Reads a count of items. Throws if the rest of the file is too short for so many items of `least`
+ * bytes. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();

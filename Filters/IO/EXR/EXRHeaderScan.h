@@ -12,7 +12,7 @@ namespace activesurface
 {
 
 // Reads the headers by OpenEXR's attribute classes, then rewinds the stream. Throws std::exception
-// if an attribute does not have its stated size, or a file of this size cannot contain the image.
+// for a file that is not of EXR version 2, has a damaged header, or is too small for its image.
 void CheckEXRHeaders(EXRInput& input);
 
 // Returns the unpacked size [bytes] of the lines, or of the tile, that OpenEXR packs at a time. A

@@ -42,7 +42,7 @@ struct EXRDestination
 class EXRFile
 {
 public:
-  // Reads the headers. Throws FileError. Bytes in memory have to outlive the object.
+  // Reads the headers. Throws FileError on failure. Bytes in memory have to outlive the object.
   EXRFile(const std::string& name, const EXRMemory& memory);
   ~EXRFile();
 

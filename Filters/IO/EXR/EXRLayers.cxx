@@ -48,7 +48,7 @@ bool Has(const Waiting& waiting, const std::vector<std::string>& components)
   return true;
 }
 
-// "0", "1" ... `count` numbers, with leading zeros if there are more than ten.
+// Returns "0", "1" and so on: `count` texts, with leading zeros if there are more than ten.
 std::vector<std::string> MakeNumbers(std::size_t count)
 {
   const std::size_t digits = std::to_string(count - 1).size();

@@ -25,9 +25,9 @@ void GetActiveBox(const VDBGrid* grid, int box[6]);
 
 void GetVoxelSize(const VDBGrid* grid, double size[3]);
 
-// Return metadata as text: GetMetadata the value of a name, or an empty text; GetAllMetadata a line
-// for each entry.
+// Returns the value of a name as text; an empty text if there is no such name.
 std::string GetMetadata(const openvdb::MetaMap* metadata, const std::string& name);
+// Returns a line of text for each entry.
 std::string GetAllMetadata(const openvdb::MetaMap* metadata);
 
 }

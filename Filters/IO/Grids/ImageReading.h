@@ -29,9 +29,9 @@ struct ChosenGrids
 };
 
 // Chooses grids by name; without names, chooses the first level set, else the first fog volume,
-// points or other grid. Throws std::exception if the file cannot be read. Throws
-// std::invalid_argument if a name is unknown (with a list of the grids), a grid cannot be read, or
-// several grids are not volumes of one transform.
+// else the first grid of points, else the first other grid. Throws std::exception if the file
+// cannot be read. Throws std::invalid_argument if a name is unknown (with a list of the grids), a
+// grid cannot be read, or several grids are not volumes of one transform.
 ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names);
 
 // Position and size of an image whose points are every `factor`th voxel of a grid.

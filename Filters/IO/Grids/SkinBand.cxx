@@ -136,7 +136,7 @@ Layer FindFirstLayer(const openvdb::Int32Tree& voxels)
   return layer;
 }
 
-// Grows layers of nodes from the surface to the edge of the band.
+// Grows layers of nodes from the skin to the distance HalfWidth.
 class Growth
 {
 public:
@@ -203,7 +203,7 @@ private:
     }
   }
 
-  // Stores and returns the nodes of a layer that belong to the band.
+  // Stores and returns the nodes of a layer that are within HalfWidth of the skin.
   Layer Store(const Layer& layer, const std::vector<Nearest>& found)
   {
     const openvdb::FloatGrid::ConstPtr band = GetPotential(this->Band);

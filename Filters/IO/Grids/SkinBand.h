@@ -6,7 +6,7 @@
 // depends only on earlier layers, so the result does not depend on the number of threads.
 //
 // OpenVDB's conversion of meshes, corrected by the walk of MeshDistance.h, would need twice the
-// time. Near medial axes the distances of that conversion would be up to half a voxel too long.
+// time, and near medial axes would return distances up to half a voxel too long.
 
 #ifndef SkinBand_h
 #define SkinBand_h

@@ -50,7 +50,8 @@ Value Blend(const Value corner[3], Vec3d weights, std::false_type)
   return corner[std::max_element(first, first + 3) - first];
 }
 
-/** Visits leaves in parallel. Compiling OpenVDB's LeafManager needs a second per type. */
+/** Visits leaves in parallel, without OpenVDB's LeafManager, which costs a second of compilation
+ * per type. */
 template <class Tree, class Function>
 void ForEachLeaf(Tree& tree, Function function)
 {

@@ -10,7 +10,7 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// Returns a level set named "surface" [world units], with a node of the lattice at 0. Throws
+// Returns the level set "surface": distances [world units], with a node of the lattice at 0. Throws
 // std::invalid_argument for voxels too small for OpenVDB.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 

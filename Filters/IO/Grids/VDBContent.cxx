@@ -263,7 +263,7 @@ void Content::AddImage(vtkImageData* image)
   if (!scalars || image->GetNumberOfPoints() == 0)
   {
     throw std::invalid_argument(
-      "The image is empty, or has no numeric point array; add an array to the image.");
+      "The image is empty, or has no numeric point array; connect an image with an array.");
   }
   this->Add(MakeImageGrid(image, scalars, this->Choice.Kind));
   for (int i = 0; this->Choice.PointArrays && i < arrays->GetNumberOfArrays(); ++i)

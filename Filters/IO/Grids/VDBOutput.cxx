@@ -69,8 +69,8 @@ void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
   {
     throw FileError(vtkErrorCode::OutOfDiskSpaceError,
       "The file " + file +
-        " cannot be written as a whole; check that there is space on the disk. (" + error.what() +
-        ")");
+        " cannot be written as a whole; check the disk's space and the folder's permissions. (" +
+        error.what() + ")");
   }
 }
 
