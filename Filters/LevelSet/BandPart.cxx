@@ -80,7 +80,7 @@ public:
   std::int64_t GetSum() const { return this->Sum; }
 
   /** Returns the number of the first vertex of each own leaf that has vertices, in the table's
-   * order. before: number of vertices that lower ranks count. */
+   * order. before: number of vertices that ranks below this rank count. */
   std::vector<std::int64_t> Answer(std::int64_t before)
   {
     std::vector<Bytes> answers;

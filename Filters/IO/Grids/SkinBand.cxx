@@ -224,7 +224,7 @@ private:
     return stored;
   }
 
-  // Returns the neighbours of the layer's nodes that were not visited before.
+  // Returns all neighbours of the layer's nodes except visited neighbours.
   Layer Grow(const Layer& layer)
   {
     auto known = this->Result.Triangles->getConstUnsafeAccessor();
