@@ -193,8 +193,7 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Reads a count of items. Throws if the rest of the file is too short for so many items of `least`
- * bytes. */
+/** Reads a count of items. Throws if the rest of the file is shorter than count * `least` bytes. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();
