@@ -258,7 +258,7 @@ class WhatCannotBe(unittest.TestCase):
         messages = Listener(surface)
         surface.UpdateTimeStep(0.5)
         self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
-        self.assertIn("ObstacleFunction is not a number within", messages.errors[0])
+        self.assertIn("ObstacleFunction is not a number at a point within", messages.errors[0])
         surface.SetObstacleFunction(ground())
         surface.UpdateTimeStep(0.5)
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)

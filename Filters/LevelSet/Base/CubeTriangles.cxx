@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-// Construction of the table. On each face, every run of inside corners is cut off by its own
-// segment. The segment is directed: from the edge at which a walk around the face enters the run,
-// to the edge at which the walk leaves the run. A crossed edge lies on two faces: it ends a segment
-// of one face, and begins a segment of the other face. The segments therefore form closed loops,
-// which are filled with triangles.
+// Construction of the table. On each face, a segment cuts off every run of adjacent inside corners.
+// A counter-clockwise walk around the face, seen from outside the voxel, enters the run at the
+// first edge of the segment, and leaves the run at the last. A crossed edge lies on two faces: it
+// ends a segment of one face, and begins a segment of the other face. The segments therefore form
+// closed loops, which are filled with triangles.
 //
 // No diagonal connects two edges of one face: the neighbour voxel across the face might use the
 // same diagonal, which would then belong to four triangles. Other diagonals run through the

@@ -19,8 +19,8 @@ struct SurfacePoints
   /** Visits the points (x y z). Empty: the points are unknown. */
   std::function<void(const std::function<void(const double x[3])>& visit)> ForEach;
 
-  /** Every sign change of the function, except at walls, has one of the points within this distance
-   * along each axis [length]. */
+  /** Half the side of a cube centred at each point [length]. Every zero of the function, except at
+   * walls, lies in one of these cubes. */
   double Reach = 0.0;
 
   /** Box outside which the function is not negative. */
@@ -39,10 +39,9 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together contain the zero set. With boxes, NarrowBand::Start does not sample
-   * the whole bounds. Outside the boxes the function keeps its sign, and is evaluated only at nodes
-   * near the boxes, and where the bounds cut the shape. Empty: the boxes are unknown. If Surface is
-   * unknown too, the function is sampled everywhere within the bounds.
+   * Visits boxes that together contain the zero set. With boxes, NarrowBand::Start evaluates the
+   * function only at nodes near the boxes, and where the bounds cut the shape. Empty: the boxes are
+   * unknown. If Surface is unknown too, the function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 

@@ -25,8 +25,8 @@ enum class InstructionSet
 /** Returns the set with which kernels run. */
 ACTIVELEVELSET_EXPORT InstructionSet GetInstructionSet();
 
-/** Chooses a set, or the best set below it that the processor supports. Returns the choice, which
- * applies to the whole program. Must not be called while kernels run. */
+/** Chooses `wanted`, or the best set below `wanted` that the processor supports. Returns the
+ * choice, which applies to the whole program. Must not be called while kernels run. */
 ACTIVELEVELSET_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
 /** A function object compiled for each instruction set. Its operator() must be

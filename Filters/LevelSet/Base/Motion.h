@@ -6,12 +6,12 @@
  *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (B0 - B) / B0
  * F - iso: the target's value (Target.h), v: the target's velocity, n: the outward normal, w:
- * weight of tension. Explicit substeps leave out the term of Transport, and w is 1. The node scheme
- * uses the signed distance to the target instead of F - iso (Nodes/NodeStages.h). kappa = div n is
- * the SUM of the principal curvatures (2/r on a sphere), so a sphere with only Tension obeys r^2 =
- * r0^2 - 4 Tension t. A and B are the area and the volume of the skin, A0 and B0 the values to
- * conserve. The terms of AreaStiffness and VolumeStiffness act only in explicit substeps with
- * Control::Penalty.
+ * weight of tension. In explicit substeps w is 1, and there is no term of Transport. The node
+ * scheme uses the signed distance to the target instead of F - iso (Nodes/NodeStages.h). kappa =
+ * div n is the SUM of the principal curvatures (2/r on a sphere), so a sphere with only Tension
+ * obeys r^2 = r0^2 - 4 Tension t. A and B are the area and the volume of the skin, A0 and B0 the
+ * values to conserve. The terms of AreaStiffness and VolumeStiffness act only in explicit substeps
+ * with Control::Penalty.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -129,8 +129,8 @@ struct Motion
   bool Paper = false;
 
   Walls Box;
-  /** In a periodic box, the node scheme repeats the surface beyond the sides of the box, up to the
-   * walls. */
+  /** The periodic box. The node scheme repeats the surface beyond the sides of this box, up to the
+   * walls (Box). */
   Periods Period;
 
   /**

@@ -73,9 +73,9 @@ public:
   virtual ~NodeTarget() = default;
 
   /** Places the target at the end of a motion. Displacements are those since the beginning of the
-   * motion. Called by one thread. Collective if space is partitioned. Results are then valid only
-   * in this rank's leaves, except the side of a leaf (inside or outside), which is also valid in
-   * neighbours of these leaves. */
+   * motion. Called by one thread. If space is partitioned: collective, and results are valid only
+   * in this rank's leaves; the side of a leaf (inside or outside) is also valid in neighbours of
+   * these leaves. */
   virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
   /** Finds the shell of the placed target, and the inside leaves if wanted. */

@@ -209,7 +209,7 @@ void Obstacle::Check() const
       first[axis] = this->Origin[axis] + this->VoxelSize * this->BadLeaf[axis];
     }
     std::ostringstream text;
-    text << std::setprecision(10) << "ObstacleFunction is not a number within "
+    text << std::setprecision(10) << "ObstacleFunction is not a number at a point within "
          << 7.0 * this->VoxelSize << " of (" << first[0] << ", " << first[1] << ", " << first[2]
          << ") along each axis; return a number wherever the skin moves.";
     throw std::runtime_error(text.str());

@@ -51,7 +51,7 @@ public:
    * band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
-  /** Returns the depth at a point, interpolated linearly between nodes; both in world units.
+  /** Returns the depth [length] at a point [world units], interpolated linearly between nodes.
    * Returns -infinity if at one of these nodes the obstacle has no effect or the function is NaN,
    * or if a coordinate of the point is NaN, or 10^9 voxels or more from 0. */
   double DepthAt(const double x[3]) const;

@@ -8,9 +8,9 @@ namespace activesurface
 {
 
 /**
- * Nodes of a region at which the target is compared with the skin. The comparison finds parts of
+ * Points of a region at which the target is compared with the skin. The comparison finds parts of
  * the target that the skin does not reach, and hollows. AllNodes: all nodes of the leaves that the
- * box touches. Centre: the centre of the box, which the part or hollow contains. PartAtCentre and
+ * box touches. Centre: the centre of the box, a point of the part or hollow. PartAtCentre and
  * HollowAtCentre: the centre, only for parts or only for hollows. Particles use PartAtCentre to
  * search for a part in a particle, and HollowAtCentre to search for a hollow next to a particle.
  * PartAtCentre costs no evaluation if the skin contains the centre, HollowAtCentre if the skin does
