@@ -1,7 +1,7 @@
 /**
  * Restores area or volume after each substep, or frame of the node scheme, by a uniform
- * displacement along the normal. The displacement is a projection, without stiffness or offset. An
- * averaged speed in the equation of motion would let area or volume drift by 7 %.
+ * displacement along the normal. The displacement is a projection: unlike a penalty, it has no
+ * stiffness and leaves no deficit.
  */
 #ifndef ExactControl_h
 #define ExactControl_h

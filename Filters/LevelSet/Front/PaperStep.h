@@ -51,9 +51,9 @@ void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers
  * nodes that were active before the substep. */
 void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Prepares a band for a change of the scheme: a band of this library's scheme for
- * RebuildPaperBand, or a band of the paper's scheme for RebuildLayers. The paper's scheme begins
- * with all nodes of the layers active. HoldsStaleValue is set at all nodes. */
+/** Prepares a band for a change to the paper's scheme (RebuildPaperBand) if isPaper, otherwise to
+ * this library's scheme (RebuildLayers). The paper's scheme begins with all nodes of the layers
+ * active. HoldsStaleValue is set at all nodes. */
 void BeginScheme(LeafTable& table, bool isPaper);
 
 }

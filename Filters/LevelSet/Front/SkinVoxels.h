@@ -137,9 +137,9 @@ struct CrossedEdge
   std::int64_t Number; //< index of the crossing
 };
 
-/** Calls function(CrossedEdge) for the crossed edges of a leaf's voxels that are along an axis and
- * begin in the leaf `owner`. next: offset of `owner` from the leaf of the voxels, 0 or 1 leaf along
- * each axis. */
+/** Calls function(CrossedEdge) for the crossed edges along `axis` that begin in the leaf `owner`
+ * and belong to the voxels of a leaf. next: offset of `owner` from the leaf of the voxels, 0 or 1
+ * leaf along each axis. */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   const LeafTable& table, std::int32_t owner, int axis, const int next[3], Function&& function)

@@ -6,8 +6,9 @@
  *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *
- * kappa |grad u| is computed as one bounded product, which needs no clamp. The last voxel of a part
- * therefore vanishes in time, and necks pinch off.
+ * V: speed without tension [length/time], h: voxel size, q: see RelaxationFor; |grad u| and kappa
+ * per voxel. kappa |grad u| is computed as one product, which is bounded without a clamp of kappa.
+ * The last voxel of a part vanishes in time, and necks pinch off.
  */
 #ifndef StepForward_h
 #define StepForward_h

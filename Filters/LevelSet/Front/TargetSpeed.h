@@ -6,9 +6,9 @@
  * weighted by 1/t^2. Here t is the fraction of the edge from the node to the crossing. If F is
  * linear, and the surface is a plane that crosses an edge of the node on each axis, the mean is F
  * at the closest point of the plane. In the paper's scheme all weights are 1, and speeds are not
- * extended. Otherwise sweeps extend the speed from these nodes to nodes farther from the surface.
- * An extended speed is the mean over the neighbours with known speeds, with the weight max(|u| -
- * |u_n|, 0) for the neighbour n, or the plain mean if all weights are 0.
+ * extended. Otherwise sweeps extend the speed from nodes with crossed edges to nodes farther from
+ * the surface. An extended speed is the mean over the neighbours with known speeds, with the weight
+ * max(|u| - |u_n|, 0) for the neighbour n, or the plain mean if all weights are 0.
  */
 #ifndef TargetSpeed_h
 #define TargetSpeed_h

@@ -136,7 +136,7 @@ void CheckStep(double step, double voxelSize, double remaining)
     text << "The stable time step is " << step << ", ";
     if (isTooOften)
     {
-      text << "so the remaining motion time " << remaining << " needs more than a million substeps";
+      text << "so the remaining motion time " << remaining << " needs a million substeps or more";
     }
     else
     {

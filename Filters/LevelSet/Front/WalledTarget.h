@@ -3,10 +3,10 @@
  *
  * The target is cut off at walls and obstacle, so the surface stops by itself. Other motions
  * (Tension, controls) are stopped by clamping the potential to the distance to the walls and the
- * obstacle's depth. The cut interpolates the obstacle's depth between the nodes of the clamp, so a
- * steady surface stays steady. Without the cut, the clamp would stop the surface at the same
- * position. But the speed of a surface pressed on a wall would stay large and limit the time step:
- * 3 to 15 times as many substeps would be needed.
+ * obstacle's depth. The cut uses the same depths at the nodes as the clamp, so a steady surface
+ * stays steady. Without the cut, the clamp would stop the surface at the same position. But the
+ * speed of a surface pressed on a wall would stay large and limit the time step: 3 to 15 times as
+ * many substeps would be needed.
  */
 #ifndef WalledTarget_h
 #define WalledTarget_h
