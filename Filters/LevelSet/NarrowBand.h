@@ -16,13 +16,13 @@
  *
  * Layer 0 consists of the corners of the voxels that the surface crosses. Layer m consists of the
  * 6-neighbours of layer m - 1 that are in no smaller layer. Layers 0..2 are active in the grid.
- * Layers 3 and 4 are ghosts: inactive values in the same leaves, extrapolated from smaller layers
- * after every explicit substep. After a frame of the node scheme without an exact control, layers 3
- * and 4 have values of this scheme, at most 3 in magnitude. Exception: a node of layer 3 or 4 whose
- * whole stencil lies in the layers, at a medial axis, is active and is called a "pocket". All other
- * nodes are + or - Far; only their sign has a meaning. PaperStep.h describes the band of the
- * paper's scheme. Inside the layers the gradient norm of u is about 0.5 to 1.5; output distances
- * are u divided by this norm.
+ * Layers 3 and 4 are ghosts: inactive nodes, extrapolated from smaller layers after every explicit
+ * substep. After a frame of the node scheme without an exact control, layers 3 and 4 have values of
+ * this scheme, at most 3 in magnitude. Exception: a node of layer 3 or 4 whose whole stencil lies
+ * in the layers, at a medial axis, is active and is called a "pocket". All other nodes are + or -
+ * Far; only their sign has a meaning. PaperStep.h describes the band of the paper's scheme. Inside
+ * the layers the gradient norm of u is about 0.5 to 1.5; output distances are u divided by this
+ * norm.
  *
  * REPRODUCIBILITY: the same start, times, motion and target give a bitwise identical potential,
  * with any number of threads and any previous contents of memory.

@@ -13,7 +13,7 @@ namespace activesurface
 {
 
 /** Returns u = phi / VoxelSize. Layers 0 to 2 and pockets (NarrowBand.h) are active; layers 3 and 4
- * are inactive values in the same leaves. */
+ * are inactive nodes of leaves. */
 ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand& band);
 
 ///@{

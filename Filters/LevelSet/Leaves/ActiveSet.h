@@ -24,8 +24,8 @@ struct ActiveSet
   /** Chooses these leaves, with their neighbours as affected leaves. */
   void Choose(const LeafTable& table, LeafList active);
 
-  /** Adds leaves that the substep has just created to Affected. Their numbers are above those of
-   * all other leaves. */
+  /** Adds to Affected the leaves that the substep has just created. The numbers of these leaves are
+   * above those of all other leaves. */
   void AddCreated(const LeafList& created);
 };
 

@@ -3,8 +3,8 @@
  * layers.
  *
  * The layers are filled in ascending order. A node of layer m uses only nodes of smaller layers, so
- * the order within a layer does not matter. a_i = |u_i| are the values along each of the six
- * directions in which three nodes of smaller layers exist:
+ * the order within a layer does not matter. a1, a2, a3 are |u| at the next three nodes in each of
+ * the six directions, if all three are in smaller layers:
  *
  *   a = a1 + g,  g = 2 (a1 - a2) - (a2 - a3) limited to [0, 2 (a1 - a2)],  weight g^2
  *

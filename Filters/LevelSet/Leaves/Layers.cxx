@@ -99,7 +99,8 @@ ACTIVE_ALWAYS_INLINE LeafMask HaveDiagonals(const LeafTable& table, const BandLe
   return complete;
 }
 
-/** Finds the active nodes: layers 0 to 2, and the pockets in larger layers. */
+/** Finds the active nodes: layers 0 to 2, and pockets: nodes of larger layers whose stencil is in
+ * the layers. */
 ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
 {
   BandLeaf& leaf = table[i];

@@ -80,7 +80,8 @@ private:
     }
   }
 
-  /** Returns the differing nodes on the side of a node that are connected with this node. */
+  /** Returns the differing nodes on one side of the surface that are connected with node `first`,
+   * which is on that side. */
   std::vector<std::size_t> Connected(std::size_t first, std::vector<char>& isKnown)
   {
     std::vector<std::size_t> part = { first };

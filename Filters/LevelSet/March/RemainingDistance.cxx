@@ -20,8 +20,8 @@ namespace activesurface
 namespace
 {
 
-/** Fast marching: lowers the values a at the nodes to min over y of a(y) + d(x,y), where d(x,y) is
- * the distance between the nodes x and y. */
+/** Fast marching: lowers the value a(x) at each node x to the minimum over y of a(y) + d(x,y),
+ * where d(x,y) is the distance between two nodes. */
 class Marching
 {
 public:
@@ -43,8 +43,9 @@ public:
     this->Run(values, [](std::int32_t, Front&) {});
   }
 
-  /** Runs the march with exact distances around cores, where paths end from all directions: the
-   * eikonal update is inaccurate there. Returns, for each node x, its y; see RemainingDistance.h.
+  /** Runs the march with exact distances around cores: paths from all directions end there, so the
+   * eikonal update is inaccurate. Returns for each node x the y that gives K(x) in
+   * RemainingDistance.h.
    */
   std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
@@ -58,8 +59,8 @@ public:
       });
   }
 
-  /** Returns true if all six neighbours of y = node i differ on the same side. Then y is in the
-   * middle of a vanishing part, which the surface reaches from all sides, and not at the target. */
+  /** Returns true if all six neighbours of y = node i differ on the same side. Then y is not at the
+   * target, but in the middle of a vanishing part, where the surface arrives from all sides. */
   bool IsCore(std::int32_t i) const
   {
     const std::array<std::int32_t, 6>& around = this->Neighbours[i];
