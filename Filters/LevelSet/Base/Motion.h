@@ -140,8 +140,9 @@ struct Motion
   Obstacle* Solid = nullptr;
 
   /** If true, explicit substeps search the target's regions. Parts of the target that no skin
-   * reaches, and hollows deep inside the skin, then get a skin. Invalid with Paper; no effect
-   * without Attraction, or with TimeIntegration::Nodes, which needs no search. */
+   * reaches, and hollows deep inside the skin, then get a skin; exceptions in Start/NewParts.h.
+   * Invalid with Paper; no effect without Attraction, or with TimeIntegration::Nodes, which needs
+   * no search. */
   bool CreateParts = false;
 };
 

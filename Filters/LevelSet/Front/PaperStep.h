@@ -1,6 +1,6 @@
 /**
- * The scheme of the paper (NarrowBand.h), for comparison. front.md shows effects of its differences
- * from this library's front scheme.
+ * The scheme of the paper (NarrowBand.h), for comparison. front.md compares it with this library's
+ * front scheme.
  *
  * - The potential is clamped to the thresholds, +- 3 voxels (section 3.2). A node that enters
  *   layers 0 to 2 is activated and keeps its value. An active node outside these layers is

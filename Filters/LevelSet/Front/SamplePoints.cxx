@@ -112,8 +112,8 @@ private:
   }
 };
 
-/** Numbers the points after existing points, and allocates their samples. Returns the number of new
- * points. */
+/** Numbers the points of these leaves, beginning after existing points, and allocates the samples.
+ * Returns the count of new points. */
 std::size_t NumberSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {

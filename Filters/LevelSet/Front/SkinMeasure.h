@@ -43,7 +43,7 @@ struct SkinSums
  * only the whole surface is closed. */
 SkinSums SumSkin(const LeafTable& table);
 
-/** Measures of a band that this rank owns entirely [voxels^2, voxels^3]. */
+/** Measures [voxels^2, voxels^3] of a band that this rank owns entirely. */
 inline SkinMeasure MeasureSkin(const LeafTable& table)
 {
   return SumSkin(table).Get();

@@ -92,9 +92,9 @@ double StableStep(
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
 }
 
-// The rate of relaxation grows with `tracking`, because a fixed rate would bias tension. Relaxation
-// and advection use the same one-sided differences, and amplify each other unless the sum of their
-// rates is at most 1/2.
+// The rate of reinitialisation grows with `tracking`, because a fixed rate would bias tension.
+// Reinitialisation and advection use the same one-sided differences, and amplify each other unless
+// the sum of their rates is at most 1/2.
 double RelaxationFor(double tracking, double advection)
 {
   return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));
@@ -155,7 +155,7 @@ void CheckSize(std::size_t count, std::size_t maximum)
   if (count > maximum)
   {
     std::ostringstream text;
-    text << "The narrow band has grown to " << count << " active voxels, more than "
+    text << "The narrow band needs at least " << count << " active voxels, more than "
          << "MaximumNumberOfActiveVoxels = " << maximum
          << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
     throw std::runtime_error(text.str());

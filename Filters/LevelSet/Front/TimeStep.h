@@ -30,7 +30,7 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
-/** Returns the target's rates in the sum that limits the time step [1/time]; see Motion::CFL. */
+/** Returns the sum of the target's rates [1/time] that limit the time step; see Motion::CFL. */
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits);
 
 /** CFL times the largest stable step [time]; infinite if nothing moves. The paper's scheme uses

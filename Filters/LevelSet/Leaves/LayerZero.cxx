@@ -34,8 +34,8 @@ ACTIVE_ALWAYS_INLINE std::uint64_t WordOf(const RowBytes& bytes)
   return word;
 }
 
-/** The signs of a leaf and of the layer of nodes around the leaf: rows of ten bits, bit z + 1, at
- * [x + 1][y + 1]. Inner loops run over y, so that the compiler vectorises them. */
+/** The signs of a leaf and of the layer of nodes around the leaf: node (x, y, z) is bit z + 1 of
+ * Row[x + 1][y + 1]. Inner loops run over y, so that the compiler vectorises them. */
 struct SignBlock
 {
   std::uint16_t Row[10][RowsRead] = {};

@@ -84,8 +84,9 @@ void ArrivingTarget::Evaluate(
   }
 }
 
-// If remaining >= 0, replaces the value F by the remaining distance, with the sign of F. The
-// magnitude is max(remaining * min(|F| / h, 1), min(|F|, 2 h)), where h is the voxel size.
+// If remaining >= 0 and the value F is finite, replaces F by the remaining distance, with the sign
+// of F. The magnitude is max(remaining * min(|F| / h, 1), min(|F|, 2 h)), where h is the voxel
+// size.
 void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
 {
   const double distance = std::fabs(value), voxel = this->VoxelSize;

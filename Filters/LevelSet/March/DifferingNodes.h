@@ -1,5 +1,5 @@
 /**
- * Nodes of a lattice at which the surface and its target are on different sides: at these nodes the
+ * Nodes of a lattice that are inside the surface and outside its target, or the reverse: there the
  * surface still has to move. The lattice's spacing is GetStride() voxels.
  *
  * Node (i,j,k) is at (i,j,k) * GetSpacing(). The search starts at the surface and follows connected
