@@ -202,7 +202,7 @@ private:
   }
 
   /** Returns t (1 - t) / 2 times the second difference along an axis, interpolated between the ends
-   * of the edge nearest to the foot (see FeetKernel). */
+   * of the edge nearest to the foot; t is the position of the foot along this edge. */
   ACTIVE_ALWAYS_INLINE Lanes Curve(const int* at, int stride, const Lanes& t) const
   {
     const Lanes before = this->Get(at, -stride), a = this->Get(at, 0);

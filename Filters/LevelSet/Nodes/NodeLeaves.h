@@ -27,7 +27,7 @@ inline NodeIndex CentreOf(const NodeIndex& origin)
 
 struct NodeLeaf : ShellLeaf
 {
-  /** Numbers of the 27 leaves around the leaf, by NeighbourNumber. Missing leaves are NoLeafInside
+  /** Numbers of the leaf and its 26 neighbours, by NeighbourNumber. Missing leaves are NoLeafInside
    * or NoLeafOutside. Set only for own leaves. */
   std::array<std::int32_t, 27> Near;
 };
@@ -35,8 +35,9 @@ struct NodeLeaf : ShellLeaf
 class NodeLeaves
 {
 public:
-  /** own: number of this rank's leaves, which come first. isInside(origin): side of a leaf that is
-   * not in the shell; several threads call isInside at once if isThreadSafe. */
+  /** Replaces the leaves by those of `shell`. own: number of this rank's leaves, which come first.
+   * isInside(origin): true if a leaf that is not in the shell is inside; several threads call
+   * isInside at once if isThreadSafe. */
   template <class IsInside>
   void Adopt(
     const std::vector<ShellLeaf>& shell, std::size_t own, bool isThreadSafe, IsInside&& isInside)

@@ -22,12 +22,12 @@ namespace
  */
 constexpr float SlowShare = .03f;
 /**
- * A body is full from the bulk FullTo on; the transition begins at FullFrom. The noise of a full
- * body is multiplied by NoiseOfFull, because the particles of a body agree on the surface.
+ * A body counts as full from the bulk FullTo on, and as partly full from FullFrom on. The noise of
+ * a full body is multiplied by NoiseOfFull.
  */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
-/** If, in a body, attraction and tension are out of balance by less than Imbalance times the noise,
- * the attraction is reduced to the fraction SlowestShare, and tension by the same factor. */
+/** Where, in a body, tension balances attraction up to Imbalance times the noise, a further factor
+ * reduces both terms. The attraction then has the fraction SlowestShare of its full value. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
 /** Weight g of tension (NodeStages.h): the bulk times a factor that is TensionOfHalf up to the bulk
  * FullFrom, and 1 from FullTo on. */
@@ -85,8 +85,8 @@ struct StageKernel
   float Fine;  // see StagePlan
   float Shift; // added to the potential, within the slack
 
-  /** The first loop finds the tension of all rows. The second loop is a chain of divisions. The
-   * short iterations of the second loop let the processor overlap several rows. */
+  /** In the second loop, each row needs a chain of divisions. The processor overlaps the chains of
+   * several rows, because the first loop has found the tension and iterations are short. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     if (this->Fields.IsFar[i])

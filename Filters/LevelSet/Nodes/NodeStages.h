@@ -4,12 +4,12 @@
  *
  *   w' = b g kappa |grad w| + a s (psi - w)
  *
- * over one unit of time, the frame's duration dt. a = Attraction dt, b = Tension dt / h^2, g is the
- * weight of tension, psi the signed distance to the target [voxels], kappa the sum of the principal
- * curvatures. s is small in a body of particles where |psi - w| is within the noise of the body's
- * surface, otherwise about 1. Where the two terms nearly balance in a body with noise, both are
- * reduced by the same factor. At a fixed point the two terms balance exactly, for any number of
- * stages.
+ * over one unit of time, the frame's duration dt. a = Attraction dt, b = Tension dt / h^2 (h: voxel
+ * size), g is the weight of tension, psi the signed distance to the target [voxels], kappa the sum
+ * of the principal curvatures. s is small in a body of particles where |psi - w| is within the
+ * noise of the body's surface, otherwise about 1. Where the two terms nearly balance in a body with
+ * noise, both are reduced by the same factor. At a fixed point the two terms balance exactly, for
+ * any number of stages.
  *
  * Around a target with NodeFreedom there is no attraction, w stays within psi +- slack, and each
  * stage also shifts w to keep the volume. Slack is the half-width of the freedom [voxels].
@@ -50,8 +50,9 @@ struct NodeFields
 };
 
 /** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit; with a freedom, also the
- * slack = HalfWidth / |grad G|. |grad G| is at least LeastSlope. G is `potential`, which is + or -
- * 1 outside the rows of the shell. Where |grad G| vanishes, psi is + or - NodeLimit. */
+ * slack = HalfWidth / |grad G|. A smaller |grad G| than LeastSlope counts as LeastSlope. G is
+ * `potential`, which is + or - 1 outside the rows of the shell. Where |grad G| vanishes, psi is +
+ * or - NodeLimit. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 

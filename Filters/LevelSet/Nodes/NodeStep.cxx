@@ -211,7 +211,8 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
     });
 }
 
-/** Copies the potential beyond the sides of a periodic box from the opposite sides. */
+/** Sets the potential beyond the sides of a periodic box to the values at the repeated positions,
+ * interpolated between nodes. */
 void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
 {
   if (!motion.Period.Any())

@@ -72,8 +72,8 @@ struct OldPotential
   const Domain* Space = nullptr; //< partition of the last frame; null: this rank has all leaves
   FetchedLeaves* Fetched = nullptr;
 
-  /** Collective. Replaces the fetched leaves by leaves of other ranks. wanted: origins; own leaves
-   * are ignored. */
+  /** Collective. Replaces the fetched leaves by the wanted leaves that other ranks own. wanted:
+   * origins. */
   void Fetch(const std::vector<NodeIndex>& wanted);
 
   OldLeaf FindLeaf(const NodeIndex& origin) const

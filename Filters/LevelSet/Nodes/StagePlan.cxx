@@ -13,10 +13,10 @@ namespace
 
 constexpr float LeastFine = 1.f / 6.f; // of the tension
 
-/** n durations 1 / (1 + v - (1 - v) cos((2 j - 1) pi / (2 n))), j = 1 to n, in units of 2 / g of
- * the fastest wave, the longest stable duration of a single stage. v makes the largest factor of
- * waves 0.1. Among the orders that keep all waves below 1.2 times their size, errors grow least in
- * this order. */
+/** n durations 1 / (1 + v - (1 - v) cos((2 j - 1) pi / (2 n))), j = 1 to n, in units of the longest
+ * stable duration of a single stage, 2 / gmax; gmax: g (GreatestFactor) of the wave that decays
+ * fastest. A cycle multiplies waves with g >= v gmax by at most 0.1. Among the orders that keep all
+ * waves below 1.2 times their size, errors grow least in this order. */
 struct Cycle
 {
   int Count;

@@ -9,9 +9,9 @@
 namespace activesurface
 {
 
-/** Differences over 2 nodes compute the tension b = Tension dt / h^2 up to Fine, differences over 4
- * nodes compute the rest. Differences over 2 nodes are more accurate on thin parts, and need more
- * stages. */
+/** Of the coefficient of tension, b = Tension dt / h^2 (h: voxel size), the part up to Fine uses
+ * differences over 2 nodes, the rest differences over 4 nodes. Differences over 2 nodes are more
+ * accurate on thin parts, and need more stages. */
 struct StagePlan
 {
   std::vector<float> Shares; //< durations; sum 1, the frame
@@ -19,19 +19,20 @@ struct StagePlan
 };
 
 /** Stages of different durations (super time steps: Alexiades, Amiez, Gremaud 1996), in cycles of
- * five to seven. A cycle of n stages is stable over n^2 / 3 times the longest stable duration of
- * one stage. On a flat surface
- * - a frame multiplies a wave by at most about 0.1 (with attraction 0.3), or by e^-g if larger;
+ * five to seven stages. A cycle of n stages is stable over n^2 / 3 times the longest stable
+ * duration of one stage. On a flat surface
+ * - a frame multiplies a wave by at most about 0.1 (0.3 if attraction acts too), or by e^-g if that
+ *   is larger; g: see GreatestFactor;
  * - before the frame's end, a wave has at most 1.2 times its size at the beginning;
  * - an error made after any stage of a cycle grows by a factor of at most 8.3 to the cycle's end.
  * tension: b, 0 to MostStageTension. */
 StagePlan PlanCycles(float tension);
 
-/** Stages of equal duration, for surfaces with NodeFreedom. Larger stages would show the limits of
- * the freedom. tension: b, 0 to MostStageTension. */
+/** Stages of equal duration, for surfaces with NodeFreedom. With longer stages the surface would
+ * show the limits of the freedom. tension: b, 0 to MostStageTension. */
 StagePlan PlanEqualStages(float tension);
 
-/** Limit of b. Without attraction, spheres of less than 1000 voxels then vanish in one frame. */
+/** Limit of b. Without attraction, spheres with radii below 1000 voxels then vanish in a frame. */
 constexpr float MostStageTension = 1e6f;
 
 /** A single stage of the duration 1 would multiply a wave by 1 - g. Returns a bound of g / b, over

@@ -17,9 +17,9 @@
 namespace activesurface
 {
 
-/** costsBefore: for each leaf the sum of the costs of all earlier leaves, followed by the total
- * cost. Returns the first leaf of each rank, followed by the number of leaves. The costs of a rank
- * differ from the mean by at most the largest cost of a leaf. */
+/** Returns the first leaf of each rank, followed by the number of leaves. The cost of a rank
+ * differs from the mean by at most the largest cost of a leaf. costsBefore: for each leaf the sum
+ * of the costs of all earlier leaves, followed by the total cost. */
 std::vector<std::size_t> ShareLeaves(const std::vector<std::size_t>& costsBefore, int ranks);
 
 /** Cost of a leaf, in units of the cost of a particle. */
