@@ -99,8 +99,8 @@ LeafMask LayersOf(const NewBand& added, const openvdb::Coord& origin)
   return i >= 0 ? added.Band->GetLeaves()[i].UpToLayer[LastLayer] : LeafMask();
 }
 
-/** Prepares the changed leaves for RebuildLayers and FillGhosts. All values in the layers of the
- * parts are valid. */
+/** Prepares the changed leaves for RebuildLayers and FillGhosts. Nodes in the layers of the new
+ * parts and hollows count as updated. */
 void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& parts,
   const NewBand& hollows, const GrowingBand& band)
 {

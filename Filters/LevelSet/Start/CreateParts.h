@@ -1,5 +1,5 @@
 /**
- * Creates a skin for parts of the target that the skin does not reach; see NewParts.h.
+ * Adds parts and hollows of the target that the skin does not reach; see NewParts.h.
  */
 #ifndef CreateParts_h
 #define CreateParts_h

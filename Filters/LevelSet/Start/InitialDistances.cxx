@@ -112,8 +112,9 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Returns true if a node has a value below -1e-8 * largest. Fast sweeping may treat magnitudes
- * below 1e-8 as zero, and rejects a function without negative values. */
+/** Returns true if a node has a value below -1e-8 * largest. largest: largest value of the
+ * function. Fast sweeping may treat magnitudes below 1e-8 as zero, and rejects a function without
+ * negative values. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;

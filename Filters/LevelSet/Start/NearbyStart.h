@@ -13,9 +13,9 @@ namespace activesurface
 
 /**
  * Returns a potential with the same surface as that of MakeInitialPotential, up to rounding. The
- * signs are sampled only in the leaves that the function's regions touch. Leaves outside the
- * regions that are connected with an inside node are filled without evaluations. Returns null if
- * `progress` cancelled the sampling.
+ * signs are sampled only in the leaves that the function's regions touch. Outside these leaves, the
+ * inside is filled from inside nodes across faces, without evaluations. Returns null if `progress`
+ * cancelled the sampling.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

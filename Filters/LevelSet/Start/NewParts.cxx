@@ -116,8 +116,8 @@ void NewParts::AddNext(std::size_t begin, std::size_t end)
   }
 }
 
-/** Removes hollows without a node whose six neighbours, `steps` nodes away along the axes, are
- * nodes of new parts or hollows. */
+/** Keeps a hollow only if one of its nodes is wide: the six nodes `steps` away along the axes also
+ * belong to new parts or hollows. */
 void NewParts::RemoveNarrowHollows(int steps)
 {
   std::vector<LeafMask> kept(this->Nodes.Size());

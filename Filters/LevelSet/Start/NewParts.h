@@ -26,8 +26,8 @@ namespace activesurface
 class NewParts
 {
 public:
-  /** Searches the parts that the target reports. A target value of NaN has the sign of the
-   * potential. Throws like RefuseManyLeaves. */
+  /** Searches the regions and parts that the target reports. A node where the target is NaN does
+   * not differ. Throws like RefuseManyLeaves. */
   NewParts(const PartSearch& search, const Target& target);
 
   /** Adds the nodes that change sides: nodes inside the skin if areInside, otherwise nodes outside.
@@ -40,7 +40,8 @@ public:
 
 private:
   void SampleLeaf(const PartSearch& search, std::size_t i);
-  /** Extends the reached nodes, starting from leaves from `first` on and from their neighbours. */
+  /** Extends the reached nodes, starting in the leaves with numbers >= first and in their
+   * neighbours. */
   void FindReached(std::size_t first);
   void AddNext(std::size_t begin, std::size_t end);
   void RemoveNarrowHollows(int steps);

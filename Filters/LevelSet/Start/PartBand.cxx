@@ -21,11 +21,11 @@ namespace
 /**
  * Distances in the layers of a band, from its signs and a function.
  *
- * A distance is the function's first-order distance |F| / |grad F|, by central differences. This
- * distance is second-order accurate if F is a distance, and smooth where F is smooth. The distance
- * is limited to 0.5 to 1.5 times the distance to the crossings on edges, which eikonal updates
- * (EikonalUpdate.h) propagate from node to node. A sweep uses only nodes of earlier sweeps, so the
- * order within a sweep does not matter.
+ * A distance is |F| / |grad F|, by central differences: second-order accurate if F is a distance,
+ * and smooth where F is smooth. This distance is limited to 0.5 to 1.5 times another estimate:
+ * distances to the crossings on edges, extended from node to node by eikonal updates
+ * (EikonalUpdate.h). A sweep uses only nodes of earlier sweeps, so the order within a sweep does
+ * not matter.
  */
 class PartDistances
 {
@@ -261,8 +261,8 @@ float PartDistances::FirstOrderDistance(std::size_t i, int node) const
   return slope > 0.0 ? static_cast<float>(std::fabs(this->Function[i][node]) / slope) : -1.f;
 }
 
-/** Returns true for an inside leaf next to an outside leaf: the surface between these two leaves is
- * in no other leaf. */
+/** Returns true if an inside leaf is next to an outside leaf. The inside leaf must then not become
+ * a tile, as no other leaf contains the surface between the two. */
 bool IsNextToOutside(const LeafSigns& inside, std::size_t i)
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -75,7 +75,8 @@ private:
   Candidates SearchAll(const Target& target) const;
   void SearchRegion(const TargetRegion& region, Candidates& found) const;
   /**
-   * Returns the leaves of the nodes at which the target differs from the skin, in ascending order.
+   * Returns the leaves of those centres at which the target differs from the skin, in ascending
+   * order.
    */
   Nodes FindLeaves(const Nodes& centres) const;
   bool IsInside(const openvdb::Coord& node) const;

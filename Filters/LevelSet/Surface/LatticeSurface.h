@@ -14,8 +14,8 @@ struct LatticeShape;
 
 /**
  * Returns the centres of the cells whose corners differ in sign. A function that is interpolated
- * between the nodes has its zero set in these cells. The points are unknown if an inside tile
- * touches an outside tile.
+ * between the nodes has its zero set in these cells. Leaves ForEach empty (points unknown) if an
+ * inside tile touches an outside tile.
  */
 ACTIVELEVELSET_EXPORT SurfacePoints FindSurfacePoints(const LatticeShape& shape);
 
