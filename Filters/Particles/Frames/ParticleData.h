@@ -13,7 +13,7 @@ class vtkDataObject;
 namespace activesurface
 {
 
-// Returns a vtkDataSet unchanged. Makes a data set from other classes:
+// Returns a vtkDataSet unchanged. Makes a data set from two other classes:
 // - Rows of a vtkTable become points. Positions are the columns x, y and z, or a:0 a:1 a:2, a_0
 //   ..., a_x ..., or one column a of three numbers. Here a is Points, Position, Coordinates or a
 //   similar name, in upper or lower case. Other columns become point arrays; three columns of one

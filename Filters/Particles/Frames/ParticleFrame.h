@@ -88,7 +88,7 @@ struct VTKACTIVEPARTICLES_EXPORT ParticleFrame
 
   // Sets the support radius of all particles.
   void GiveRadius(double radius);
-  // Converts the radii of the array, which are ball radii, to support radii.
+  // Converts the array's radii to support radii. reachPerRadius: support radius / radius.
   void UseRadii(double reachPerRadius);
 
   // Adds an offset to all positions.

@@ -44,7 +44,8 @@ VTKACTIVEPARTICLES_EXPORT ParticleMatches MatchParticles(
 VTKACTIVEPARTICLES_EXPORT ParticleMatches PairParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
 
-// Exchanges the two steps. earlier: number of particles in the step that becomes the earlier one.
+// Returns the matches with the two steps exchanged. earlier: number of particles in the new earlier
+// step.
 VTKACTIVEPARTICLES_EXPORT ParticleMatches InvertMatches(
   const ParticleMatches& matches, std::size_t earlier);
 

@@ -88,8 +88,8 @@ public:
     this->Tree->BuildLocator();
   }
 
-  // Finds more candidates than needed: because of single precision, the tree cannot rank nearly
-  // equal distances, as in a lattice.
+  // Returns the Nearest smallest distances. Searches more candidates, because of single precision:
+  // the tree cannot rank nearly equal distances, as in a lattice.
   Distances FindNearest(const double from[3]) const
   {
     constexpr std::size_t looked = 17;
