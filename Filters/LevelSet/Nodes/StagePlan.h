@@ -9,9 +9,9 @@
 namespace activesurface
 {
 
-/** Of the coefficient of tension, b = Tension dt / h^2 (h: voxel size), the part up to Fine uses
- * differences over 2 nodes, the rest differences over 4 nodes. Differences over 2 nodes are more
- * accurate on thin parts, and need more stages. */
+/** Division of the coefficient of tension, b = Tension dt / h^2 (h: voxel size): the part up to
+ * Fine uses differences over 2 nodes, the rest differences over 4 nodes. Differences over 2 nodes
+ * are more accurate on thin parts, and need more stages. */
 struct StagePlan
 {
   std::vector<float> Shares; //< durations; sum 1, the frame
