@@ -34,8 +34,8 @@ public:
   // no ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
-  // For a particle at the edge of a body, finds the vector away from its neighbours, two own radii
-  // long. Returns false for other particles.
+  // For a particle at the surface of a body, finds the vector [length] away from its neighbours,
+  // two own radii long. Returns false for other particles.
   bool FindOutward(std::size_t particle, double (&outward)[3]) const;
 
   // Finds the bounding box of all ellipsoids; returns false if there are none.

@@ -14,9 +14,9 @@ namespace activesurface
 
 struct PeriodicBox : Periods
 {
-  // Width of a margin around the box. Copies of particles in the margin affect the surface in the
-  // box: the ellipsoids of copies may overlap the box, or copies may change the ellipsoid and the
-  // strength of a particle in the box.
+  // Distance from the box [length] within which a copy of a particle affects the surface in the
+  // box: the ellipsoid of the copy may overlap the box, or the copy may change the ellipsoid and
+  // the strength of a particle in the box.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
   // Returns the shortest difference that equals `difference` modulo the length of the box.

@@ -11,8 +11,8 @@ namespace activesurface
 namespace
 {
 
-// Maximum number of balls of a segment. A segment has one ball per radius of length, or this
-// maximum of larger balls.
+// Maximum number of balls of a segment. A segment of up to MostBalls radii has one ball per radius
+// of length; a longer segment has MostBalls larger balls.
 constexpr double MostBalls = 64.0;
 // Factor of squared radii: allows for the rounding of squared distances.
 constexpr double Rounding = 1.0 + 1e-9;
@@ -88,8 +88,8 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
 }
 
-// Returns the number of a ball's lattice: the binary exponent of the radius, or of the rounding
-// error if that is larger.
+// Returns the number of a ball's lattice: the binary exponent of the larger of the radius and
+// Slack.
 int ElementIndex::LevelOf(const Ball& ball) const
 {
   return std::ilogb(std::max(ball.Radius, this->Slack));

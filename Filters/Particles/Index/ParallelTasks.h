@@ -52,8 +52,8 @@ void RunTasks(std::size_t count, Task task)
   }
 }
 
-// Calls task(begin, end) for pieces of 0 to count - 1, end excluded. Each piece has inPiece
-// numbers; the last piece may have fewer.
+// Calls task(begin, end) for each piece of the numbers 0 to count - 1. A piece excludes `end` and
+// has inPiece numbers; the last piece may have fewer.
 template <class Task>
 void RunPieces(std::size_t count, std::size_t inPiece, Task task)
 {

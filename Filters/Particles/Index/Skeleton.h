@@ -1,7 +1,7 @@
 // Points and segments, and the sum of their contributions (see SkeletonKernel.h) at any point.
 //
-// Contributions are added by ascending index: points in order of insertion, then segments. A sum is
-// therefore bitwise identical for any cells, batch and thread.
+// Contributions are added by ascending index: points in order of insertion, then segments. A sum
+// therefore does not depend, to the last bit, on the cells of the index, the batch or the thread.
 
 #ifndef Skeleton_h
 #define Skeleton_h

@@ -2,8 +2,8 @@
 // gradient.
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
-// returns W(q) and W'(q)/q as functions of q^2 <= 1. Unlike W', the quotient needs no direction at
-// distance zero.
+// returns W(q) and W'(q)/q as functions of q^2 <= 1. The gradient is W'(q)/q * offset / radius^2,
+// so it needs no division by the distance.
 
 #ifndef SkeletonKernel_h
 #define SkeletonKernel_h
@@ -73,8 +73,8 @@ struct MetaballKernel
 };
 
 // A position and the sums of the contributions at this position. Terms 0, 1, 2 are the gradient of
-// the potential, threshold - sum. Term 3 is the sum. Compilers add two terms of the array at a
-// time.
+// the potential, threshold - sum. Term 3 is the sum. In one array, compilers vectorise the sums by
+// pairs of terms.
 struct SkeletonPlace
 {
   double X[3];

@@ -33,9 +33,10 @@ constexpr float FullBody = .8f;
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
-// Near neighbours are within this fraction of the neighbourhood's radius. The sum of their weights,
-// including the particle's own (1), sets the weight Shape of the ellipsoid (GroupFits): two
-// neighbours make 2.1, a sheet of one layer 4.2, a body's surface about 6.
+// Near neighbours are within NearPerWide of the neighbourhood's radius. Shape (GroupFits) grows
+// from 0 to 1 while the sum of their weights, including the particle's own (1), grows from
+// FewestNeighbours to EnoughNeighbours. The sum is 2.1 with two neighbours, 4.2 in a sheet of one
+// layer, about 6 at a body's surface.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
@@ -43,10 +44,10 @@ constexpr float EnoughNeighbours = 4.2f;
 // Displacement of an ellipsoid's centre / (Shape * distance to the mean of the neighbours).
 constexpr float ShareOfMean = .9f;
 
-// Thin (GroupFits) falls from 1 to 0 between the two ratios of a line. First line, shortest /
-// middle half-axis: 0 in a sheet of one layer, about 1 in a body. Second line, longest half-axis /
-// neighbourhood's radius: 0 for coincident particles, 0.14 for a pair, 0.33 in a body. The larger
-// of both results counts.
+// Thin (GroupFits) is the larger of two weights. The first falls from 1 to 0 while shortest /
+// middle half-axis grows from ThinRatio to ThickRatio; the ratio is 0 in a sheet of one layer,
+// about 1 in a body. The second falls while longest half-axis / neighbourhood's radius grows from
+// TinySize to SmallSize; the ratio is 0 for coincident particles, 0.14 for a pair, 0.33 in a body.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;
 

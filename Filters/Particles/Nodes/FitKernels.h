@@ -95,8 +95,8 @@ void FindGroupFits(const FitLaw& law, const FitGroup& group, const FitNeighbours
 
 struct NodeEllipsoid;
 
-// Sums strength (1 - d^2)^3 over ellipsoids at the group's positions; d: see ParticleNodes.h. The
-// neighbours' positions are the centres of the ellipsoids.
+// Sums strength (1 - d^2)^3 over ellipsoids at the group's positions; d: distance from an
+// ellipsoid's centre / its radius in this direction. The neighbours' positions are the centres.
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
@@ -110,7 +110,8 @@ void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, PointSums& sums);
 
 // Sums k * Share and k * Share * Lack over the neighbours, at the group's positions. The kernel k
-// is (1 - d^2/W^2)^2, see WeightColumns. NodeFits.cxx finds Share and Lack.
+// is (1 - d^2/W^2)^2, see WeightColumns. Share: weight of a particle at a surface, otherwise 0.
+// Lack: see NodeFits.h.
 struct ShareColumns
 {
   const float* InverseWide2;

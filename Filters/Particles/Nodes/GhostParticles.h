@@ -22,14 +22,16 @@ class GhostParticles
 {
 public:
   // Lists the particles near this rank's partition. domain: null if this rank owns all particles.
-  // nodeOf: the node below a particle. margin: distance from the partition along each axis [nodes].
+  // nodeOf: a particle's position [voxels], rounded down. margin: distance from the partition along
+  // each axis [nodes].
   void Find(const Domain* domain, int margin, std::size_t count,
     const std::function<NodeIndex(std::size_t)>& nodeOf);
 
   // Indices of the listed particles, ascending; empty without a domain.
   const std::vector<std::uint32_t>& GetListed() const { return this->Listed; }
 
-  // Sets the column index of each listed particle. order: the particle of each column.
+  // Sets the column of each listed particle. order: for each column, the particle's index in
+  // GetListed().
   void SetOrder(const UnsetVector<std::uint32_t>& order);
 
   // Returns true if this rank owns the particle of column k.

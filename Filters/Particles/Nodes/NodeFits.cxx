@@ -138,8 +138,9 @@ void NodeFits::FillGroup(Search& search) const
   }
 }
 
-// Finds the particles whose supports touch the group's box. reach: the largest support radius;
-// rowOf: the row of a particle, or the next row if the particle has none.
+// Finds the particles whose balls touch the group's box. columns.Reach2: squared radii of the
+// balls. reach: the largest of these radii [voxels]. rowOf: the row of a particle, or the next row
+// if the particle has none.
 template <class RowOf>
 void NodeFits::Gather(
   Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const

@@ -35,7 +35,7 @@ constexpr std::size_t ParticlesOfSample = 256;
 
 [[noreturn]] void RefuseNeighbours(std::size_t particles);
 
-// Rows of columns that exist only for particles near a surface, in the order of the blocks.
+// Rows of the columns that contain only the particles near a surface, in the order of the blocks.
 class NearRows
 {
 public:
@@ -145,12 +145,12 @@ public:
   // the block `home`. Thread-safe.
   void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
 
-  // Finds the box of the ellipsoid of particle k, relative to the block of the particle: xmin xmax
-  // ymin ... Returns false if the particle has no ellipsoid.
+  // Finds the box of the ellipsoid of particle k [voxels], relative to the block of the particle:
+  // xmin xmax ymin ... Returns false if the particle has no ellipsoid.
   bool FindBox(std::uint32_t k, float (&box)[6]) const;
 
-  // For a particle at the edge of a body, finds the vector [voxels] away from its neighbours, two
-  // own radii long. Returns false for other particles.
+  // For a particle at the surface of a body, finds the vector [voxels] away from its neighbours,
+  // two own radii long. Returns false for other particles.
   bool FindOutward(std::uint32_t k, float (&outward)[3]) const;
 
 private:

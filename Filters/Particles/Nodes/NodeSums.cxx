@@ -59,8 +59,9 @@ private:
     }
   }
 
-  // In each plane x, finds the coefficients of q = d^2 = a + z (2 b + m z), with m the entry zz of
-  // Metric, for all eight rows at once, and the rows where the minimum of q is below 1.
+  // Adds an ellipsoid. In a row of nodes, d^2 = a + z (2 b + m z), with z the offset from the
+  // centre and m the entry zz of Metric. Finds a and b for the eight rows of a plane x at once, and
+  // omits rows where the minimum of d^2 is at least 1.
   ACTIVE_ALWAYS_INLINE void AddOne(const NodeEllipsoid& e, const float (&c)[3]) const
   {
     const float* m = e.Metric;

@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-// Surface: d^T Metric d = 1, with d the offset from the centre [voxels]. Metric: xx xy xz yy yz zz.
+// Surface: x^T Metric x = 1, with x the offset from the centre [voxels]. Metric: xx xy xz yy yz zz.
 // Extent: half of the box's sides.
 struct NodeEllipsoid
 {
@@ -26,9 +26,9 @@ struct EllipsoidColumns
   const float *X, *Y, *Z, *Reach2;
 };
 
-// Finds 1 - (sum of strength (1 - d^2)^3)^(1/4), with d as in ParticleNodes.h, at the nodes of some
-// rows (bits 8 x + y) of a leaf, and sets 1 at all other nodes. Shifts of the runs are relative to
-// the first node of the leaf.
+// Finds 1 - (sum of strength (1 - d^2)^3)^(1/4), with d^2 = x^T Metric x, at the nodes of some rows
+// of a leaf (bits 8 x + y), and sets 1 at all other nodes. Shifts of the runs are relative to the
+// first node of the leaf.
 void FindPotential(const EllipsoidColumns& columns, const NodeEllipsoid* ellipsoids,
   const ParticleRuns& runs, std::uint64_t rows, float* values);
 
