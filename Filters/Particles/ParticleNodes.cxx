@@ -141,8 +141,8 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
 }
 
 // Returns the radius of a ball around a particle [length]. The nodes in this ball are in the shell,
-// except in full cells. A gap of two own radii between particles can be inside their body, so the
-// shell includes such a gap.
+// except in full cells. The ball extends at least an own radius beyond the skin: gaps of two own
+// radii can be inside a body, and the shell includes these gaps.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
   // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be
@@ -336,7 +336,8 @@ ShellLeaf ParticleNodes::FindRows(const NodeIndex& origin) const
 }
 
 // Lists the particles whose supports may touch a cube of nodes. size: side of the cube [voxels].
-// before: number of column rows before each particle; null: each particle has a row.
+// reach: largest support radius [voxels]. before: number of column rows before each particle; null:
+// each particle has a row.
 const ParticleRuns& ParticleNodes::ListNear(
   const NodeIndex& origin, double size, double reach, const std::uint32_t* before) const
 {

@@ -67,8 +67,9 @@ class VTKACTIVEPARTICLES_EXPORT ParticleNodes
 {
 public:
   // Reuses allocated memory. Throws std::runtime_error for a coordinate of at least 10^9 voxels,
-  // and like NodeFits::Find. Collective with options.Space: the given particles then have to
-  // include all particles within FindMarginOfNodes of this rank's partition.
+  // std::invalid_argument for too many neighbours (NodeFits::Find). Collective with options.Space:
+  // the given particles then have to include all particles within FindMarginOfNodes of this rank's
+  // partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
   void FindShell(bool wantsInside, Shell& shell) const;

@@ -1,7 +1,8 @@
 // Potential of particles at any point: F = (1 - S) / 2, negative inside. S is the sum of strength
 // (1 - d^2)^3 over ellipsoids fitted to the particles (Nodes/NodeFits.h, without HasTriangles); d
-// as in ParticleNodes.h. Implicit functions and explicit substeps use this potential. The node
-// scheme uses ParticleNodes.h, which evaluates S at nodes.
+// is the distance from an ellipsoid's centre, divided by its radius in this direction. Implicit
+// functions and explicit substeps use this potential. The node scheme uses ParticleNodes.h, which
+// evaluates S at nodes.
 //
 // F and its gradient are bitwise identical for any batch, thread and instruction set.
 
@@ -26,12 +27,12 @@ public:
   // least 10^9 times the smallest own radius.
   void Build(const std::vector<SkeletonVertex>& particles, NodeParticleOptions options);
 
-  // Evaluates at points (x y z each); gradients may be null. Values and gradients are NaN at a
-  // point that is not finite. Thread-safe.
+  // Evaluates F, and its gradient unless `gradients` is null, at points (x y z each). Values and
+  // gradients are NaN at a point that is not finite. Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
-  // Finds the box of a particle's ellipsoid: xmin xmax ymin ... Returns false if the particle has
-  // no ellipsoid.
+  // Finds the box of a particle's ellipsoid [length]: xmin xmax ymin ... Returns false if the
+  // particle has no ellipsoid.
   bool FindSupport(std::size_t particle, double (&bounds)[6]) const;
 
   // For a particle at the surface of a body, finds the vector [length] away from its neighbours,

@@ -79,8 +79,8 @@ void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
   this->Inward = this->CountOutward(0.0);
 }
 
-// Finds the block of a particle, and the range of blocks that the particle's cells, enlarged by the
-// margin, or the ball of its shell may touch.
+// Finds the block of a particle, and a range of blocks around it. The range contains the cells of
+// the particle, enlarged by a margin, and the ball of radius Shell.
 ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
 {
   CubePlace found;
@@ -139,7 +139,8 @@ void ParticleBlocks::AddAround(const CubePlace& place, std::size_t own)
   }
 }
 
-// Finds positions in parallel, batch by batch; adds blocks in the order of the particles.
+// Finds the blocks of particles in parallel, batch by batch. Adds these blocks in the order of the
+// particles.
 void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
 {
   constexpr std::size_t most = std::size_t(1) << 15;

@@ -20,7 +20,8 @@ constexpr std::uint32_t FillingOfCell = 256;
 // all), is at least this.
 constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
-// Limit of a cell's filling: dense particles do not fill the neighbouring cells.
+// Limit of a cell's filling in this sum, so that dense particles do not make the neighbouring cells
+// full.
 constexpr std::uint32_t MostFilling = FillingOfCell * 3 / 2;
 // At twice the density of the fluid or more, the skin may lie as far out as the ends of the
 // supports. The sum of kernels grows with the density and with the fifth power of the depth below
@@ -109,7 +110,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t own)
   }
 }
 
-// Adds the cells around particles whose kernels touch cells that are not full.
+// Marks cells as occupied around particles whose kernels may touch cells that are not full.
 void ParticleBlocks::OccupyCells(const ParticleCubes& cubes)
 {
   RunPieces(this->Blocks.size(), BlocksPerTask,
@@ -156,7 +157,7 @@ void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t own)
   }
 }
 
-// Adds rows of cells that the ball touches; a row extends over the ball's box.
+// Marks the rows of cells that the ball touches as occupied; a row extends over the ball's box.
 void ParticleBlocks::OccupyIn(Block& block, const ShellBall& ball) const
 {
   int first[3], last[3];

@@ -22,8 +22,8 @@ public:
   virtual double Evaluate(const double x[3], double* gradient) const = 0;
 
   // Finds a box outside which the function is not negative. For a level set, finds the box of the
-  // active voxels: the function may be negative within a voxel of this box, and everywhere if the
-  // background is inside. Returns false, without setting `bounds`, if there is no such box.
+  // active voxels: outside, the function may be negative within a voxel of this box, or everywhere
+  // if the background is inside. Returns false, without setting `bounds`, if there is no such box.
   virtual bool GetBounds(double bounds[6]) const = 0;
 
   // Finds the region below a level, on the lattice of the samples. Returns false if the region is

@@ -51,8 +51,8 @@ vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
   if (!array)
   {
     throw std::invalid_argument(name.empty()
-        ? "The image has no numeric point array of one component; add one, or make cell data "
-          "point data (vtkCellDataToPointData)."
+        ? "The image has no numeric point array of one component; add one, or convert cell data "
+          "to point data (vtkCellDataToPointData)."
         : called + " is missing, or does not hold numbers; check ScalarArrayName.");
   }
   if (array->GetNumberOfComponents() != 1)
@@ -78,7 +78,7 @@ void CheckExtent(const int extent[6])
   if (extent[0] == extent[1] || extent[2] == extent[3] || extent[4] == extent[5])
   {
     throw std::invalid_argument(
-      "The image is flat: a potential in space needs two pixels or more along each axis.");
+      "The image is flat; connect an image of at least two pixels along each axis.");
   }
 }
 
@@ -138,8 +138,9 @@ void ImageSamples::ReadAxes(vtkImageData* image)
   }
   if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
   {
-    throw std::invalid_argument("The image has no position in space: its origin or spacing is not "
-                                "finite, a spacing is 0, or axes are not orthogonal; fix these.");
+    throw std::invalid_argument(
+      "The image has no position in space: its origin or spacing is not "
+      "finite, a spacing is 0, or axes are not orthogonal; correct them.");
   }
   vtkMath::Invert3x3(columns, this->Inverse);
   constexpr double roundings = 32.0;
@@ -258,8 +259,9 @@ double ImageSamples::GetSample(const int pixel[3]) const
 
 // Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
 // at most about 4 million pixels. The area of a crossing is |n_axis| (n: unit normal) times the
-// cross-section of a pixel. If skip is 1, the areas along one axis add up to the integral of
-// n_axis^2 over the surface, along all axes to the surface's area, because |n| = 1.
+// cross-section of a pixel. If skip is 1, the areas along an axis add up to the integral of
+// n_axis^2 over the surface. The areas along all axes add up to the surface's area, because |n| =
+// 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

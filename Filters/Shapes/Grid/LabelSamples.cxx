@@ -40,7 +40,7 @@ std::size_t CountPixels(const Box& box)
   return GetLength(box, 0) * GetLength(box, 1) * GetLength(box, 2);
 }
 
-// Calls visit(x, y, z, i) for each pixel of a box, in the order of an image of this extent.
+// Calls visit(x, y, z, i) for each pixel of a box. i: index in an image whose extent is the box.
 template <class Visit>
 void ForEachPixel(const Box& box, Visit&& visit)
 {
@@ -118,7 +118,7 @@ void SpreadSquares(std::vector<std::int32_t>& line, std::vector<std::int32_t>& s
   }
 }
 
-// Calls SpreadSquares for all lines along an axis of an image of this extent.
+// Calls SpreadSquares for all lines of an image along an axis. box: extent of the image.
 void SpreadAlong(std::size_t axis, const Box& box, std::vector<std::int32_t>& squares)
 {
   const std::size_t size = GetLength(box, axis);
