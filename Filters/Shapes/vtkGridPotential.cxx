@@ -41,9 +41,9 @@ namespace
 // points of the normal's line, one on either side. One of the two points is outside near the
 // surface point, the other behind the opposite side of the body. The test needs neither distances,
 // nor voxels that resolve the part, nor oriented normals. At the two points the gradient has to
-// point away from the surface point within 45 degrees of the line, so that the opposite side faces
-// the surface point. Edges of a cube, or of any wedge of more than 45 degrees, are therefore not
-// thin: the lattice rounds these edges off, but does not lose them.
+// point away from the surface point, within 45 degrees of the line. Edges of a cube, or of any
+// wedge of more than 45 degrees, are therefore not thin: the lattice rounds these edges off, but
+// does not lose them.
 
 // Equidistant points along a normal.
 struct RayPoints

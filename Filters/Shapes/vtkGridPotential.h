@@ -152,8 +152,8 @@ public:
 
   ///@{
   /**
-   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number, by
-   * an estimate from the mesh's position, size and Reach. A voxel needs about 10 bytes while
+   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number, as
+   * estimated from the mesh, VoxelSize, Reach and MeshThickness. A voxel needs about 10 bytes while
    * reading. Range: >= 1. Default: 500000000.
    */
   vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);
@@ -162,9 +162,9 @@ public:
 
   /**
    * Box of the image, of the mesh or its shell, or of the active voxels of a level set [length].
-   * Outside the box F is not negative; of a level set, from a voxel outside the box, and unless the
-   * background is inside. Returns false, with uninitialized bounds, without usable input. Reads the
-   * input.
+   * Outside the box F is not negative. For a level set, this holds from a voxel outside the box,
+   * unless the background is inside. Returns false, with uninitialized bounds, without usable
+   * input. Reads the input.
    */
   bool GetGridBounds(double bounds[6]);
 
@@ -185,9 +185,9 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if a property or the input (of an algorithm: as found by GetMTime()) has changed
-   * since the last reading. Call Build before EvaluateBatch; the other evaluations call Build
-   * themselves.
+   * Read the input if a property or the input has changed since the last reading. Changes upstream
+   * of a connected algorithm count if GetMTime() has found them. Call Build before EvaluateBatch;
+   * the other evaluations call Build themselves.
    */
   void Build();
 

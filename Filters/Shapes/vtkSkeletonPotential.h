@@ -43,13 +43,13 @@
  * - F is computed in single precision, to about 1e-6.
  * - An isolated point is a ball of its own radius r: half of ParticleSpacing or, if automatic, the
  *   point's radius / 4.5.
- * - The surface of a body passes at about the distance r outside its outermost points: a layer is a
- *   plane, and N points in a box have a volume of about N (2 r)^3.
+ * - The surface of a body passes at about the distance r outside its outermost points: the surface
+ *   over a flat layer is a plane, and N points in a box have a volume of about N (2 r)^3.
  * - Only points are possible; lines need SUM. Points of strength <= 0 add nothing. Kernel and
  *   Threshold apply only to SUM.
  *
- * With c_i, G_i the centre and the shape of an ellipsoid, s_i the strength of its point, normalized
- * by the neighbours, and the sum over all i with q_i < 1:
+ * With c_i the centre of an ellipsoid, G_i the matrix of its shape, s_i the strength of its point,
+ * normalized by the neighbours, and the sum over all i with q_i < 1:
  *
  *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *
@@ -221,9 +221,9 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if a property or the input (of an algorithm: as found by GetMTime()) has changed
-   * since the last reading. Call Build before EvaluateBatch; the other evaluations call Build
-   * themselves.
+   * Read the input if a property or the input has changed since the last reading. Changes upstream
+   * of a connected algorithm count if GetMTime() has found them. Call Build before EvaluateBatch;
+   * the other evaluations call Build themselves.
    */
   void Build();
 
@@ -252,8 +252,8 @@ public:
   /**
    * Replace the input, which is released, by points, such as moving particles. positions: x y z
    * each. radii, strengths: null for Radius and 1. The data are copied. With SUM, SetElements and
-   * the next Build() allocate no memory if an earlier call had as many points. Unusable points are
-   * ignored without a warning.
+   * the next Build() allocate no memory if an earlier call had at least as many points. Unusable
+   * points are ignored without a warning.
    */
   VTK_WRAPEXCLUDE void SetElements(
     vtkIdType count, const double* positions, const double* radii, const double* strengths);

@@ -260,8 +260,8 @@ double ImageSamples::GetSample(const int pixel[3]) const
 // Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
 // at most about 4 million pixels. The area of a crossing is |n_axis| (n: unit normal) times the
 // cross-section of a pixel. If skip is 1, the areas along an axis add up to the integral of
-// n_axis^2 over the surface. The areas along all axes add up to the surface's area, because |n| =
-// 1.
+// n_axis^2 over the surface. The areas along all axes add up to the surface's area, because n has
+// length 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;

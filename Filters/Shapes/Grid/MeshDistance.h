@@ -18,8 +18,8 @@ struct MeshLattice
 };
 
 // Returns distances in voxels. Node (i, j, k) is at (i, j, k) * VoxelSize. The grid's own transform
-// is the identity, because OpenVDB rejects small voxels. Values beyond the band are Band or, inside
-// if IsSigned, -Band.
+// is the identity, because OpenVDB rejects small voxels. Beyond the band, values are Band, or -Band
+// inside with IsSigned.
 //
 // OpenVDB's conversion propagates the closest triangle from node to node. If triangles are small,
 // these distances are up to half a voxel too long. The conversion is therefore followed by a walk

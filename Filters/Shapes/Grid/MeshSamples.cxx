@@ -47,7 +47,7 @@ void CheckLength(double length, const char* name)
   if (!(std::isfinite(length) && length > 0.0) && length != Automatic)
   {
     std::ostringstream text;
-    text << name << " must be a finite number > 0, or -1, automatic, not " << length << ".";
+    text << name << " must be a finite number > 0, or -1 (automatic); it is " << length << ".";
     throw std::invalid_argument(text.str());
   }
 }

@@ -255,8 +255,8 @@ void Caps::Evaluate(const Nodes& nodes)
   }
 }
 
-// Returns the unvisited nodes up to two steps along each axis from those of `nodes` that are next
-// to a cap.
+// Returns the unvisited nodes near the caps: up to two steps along each axis from a node of `nodes`
+// that is next to a cap.
 Nodes Caps::Grow(const Nodes& nodes)
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

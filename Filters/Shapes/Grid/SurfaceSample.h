@@ -35,8 +35,8 @@ struct SurfaceSample
 // Distributes points evenly over the area of a mesh.
 SurfaceSample SampleSurface(const MeshTriangles& mesh);
 
-// Collects points whose total number is unknown: all points or, so that fewer than 2 * Most remain,
-// every second, fourth, eighth ... point.
+// Collects points whose total number is unknown. Keeps every point, or every second, fourth, eighth
+// ... point, so that fewer than 2 * Most remain.
 class SurfaceGatherer
 {
 public:

@@ -34,8 +34,8 @@ public:
   // Returns the time of the last change of the data, or of anything upstream. Asks the pipeline for
   // its modification time; not thread-safe.
   vtkMTimeType FindMTime();
-  // Returns the result of the last FindMTime; for a given data set its MTime, without input 0.
-  // Cheap and thread-safe.
+  // Returns the result of the last FindMTime for an algorithm, the MTime of a given data set, or 0
+  // if there is no input. Cheap and thread-safe.
   vtkMTimeType GetMTime() const;
 
   // Calls read() in one thread if the input (GetMTime) or the function (`changed`) has changed
@@ -54,7 +54,8 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer;
   int Port = 0;
 
-  // State of the algorithm at the last change that FindMTime found, or the last Update.
+  // MTimes of the algorithm's pipeline and data at the last change that FindMTime found, or at the
+  // last Update.
   vtkMTimeType PipelineTime = 0;
   vtkMTimeType DataTime = 0;
   std::atomic<vtkMTimeType> Changed{ 0 };

@@ -272,8 +272,8 @@ std::string MeshDefects::Describe() const
   Append(
     text, this->CrowdedEdges, "edge of more than two polygons", "edges of more than two polygons");
   Append(text, this->BrokenPolygons,
-    "polygon with a point that is not finite or missing (left out)",
-    "polygons with a point that is not finite or missing (left out)");
+    "polygon with a point that is missing, beyond 1e100 or not finite (left out)",
+    "polygons with a point that is missing, beyond 1e100 or not finite (left out)");
   Append(text, this->FlatPolygons, "polygon of fewer than three different points (left out)",
     "polygons of fewer than three different points (left out)");
   return text.str().empty() ? std::string() : "The mesh has defects: " + text.str() + ".";

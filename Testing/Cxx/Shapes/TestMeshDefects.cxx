@@ -79,7 +79,7 @@ TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
     potential->SetInput(sphere);
     EXPECT_EQ(std::string(potential->GetDefects()),
       "The mesh has defects: 6 open edges (of one polygon only), 6 polygons with a point that is "
-      "not finite or missing (left out).")
+      "missing, beyond 1e100 or not finite (left out).")
       << "defects";
     EXPECT_EQ(messages.Warnings.size(), 1u) << "one warning";
     EXPECT_EQ(messages.Errors.size(), 0u) << "no error";
@@ -96,9 +96,8 @@ TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
       { 0, 1 }, {} }));
   potential->SetMeshThickness(0.1);
   EXPECT_EQ(std::string(potential->GetDefects()),
-    "The mesh has defects: 2 polygons with a point that is not finite or missing (left out), 3 "
-    "polygons "
-    "of fewer than three different points (left out).")
+    "The mesh has defects: 2 polygons with a point that is missing, beyond 1e100 or not "
+    "finite (left out), 3 polygons of fewer than three different points (left out).")
     << "defects";
   EXPECT_LT(ValueAt(potential, { 0.2, 0.2, 0.2 }), -0.1) << "closed without them: a solid";
 }
