@@ -151,8 +151,8 @@ vtkSmartPointer<vtkCellArray> Renumber(
   return cells;
 }
 
-// points: indices in this rank's skin. numbers: for each point of this skin, its index in the skin
-// of all ranks.
+// points: indices in this rank's skin. numbers: for each point of this rank's skin, the index of
+// the point in the skin of all ranks.
 void AddGlobalIds(vtkIdList* points, const std::vector<std::int64_t>& numbers, vtkPointData* arrays)
 {
   vtkNew<vtkIdTypeArray> ids;

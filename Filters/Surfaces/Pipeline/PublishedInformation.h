@@ -30,8 +30,8 @@ void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
 // Replaces an UPDATE_EXTENT that is empty or not within the image by the extent of the requested
-// piece. On several ranks, a rank that requests one piece gets its own part instead of the whole
-// image.
+// piece. On several ranks, a rank that requests the whole image as piece 0 of 1 gets only its own
+// part.
 void RequestSomeExtent(vtkInformation* output, const OutputShare& share);
 
 // Returns true if a piece other than piece 0 is requested. Parallel programs may distribute the

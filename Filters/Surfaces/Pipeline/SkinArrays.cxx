@@ -50,7 +50,8 @@ FloatArray MakeCurvatureOf(const SkinContext& skin)
   return MakeCurvature(skin.Simulation.GetBand());
 }
 
-// A point array: the property that requests the array, and the array's inputs besides the band.
+// A point array: the property that requests the array, and the inputs that the array needs besides
+// the band.
 struct SkinArray
 {
   bool OutputProperties::*IsRequested;

@@ -59,8 +59,9 @@ std::string ListArrays(vtkPointData* arrays)
     const char* name = arrays->GetArrayName(i);
     names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
   }
-  return names.empty() ? "it has no point arrays with names; add the array"
-                       : "choose another; its point arrays are " + names;
+  return names.empty()
+    ? "the input has no point arrays with names; add the array"
+    : "choose association 0 (points) and one of the input's point arrays: " + names;
 }
 
 // Returns true for a table without columns, which a rank receives if another rank has the data.
@@ -315,7 +316,8 @@ vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
   {
     throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
       " has no active point scalars; choose a point array by SetInputArrayToProcess(" +
-      std::to_string(index) + ", ...), or make cell data point data (vtkCellDataToPointData).");
+      std::to_string(index) +
+      ", ...), or convert cell data to point data (vtkCellDataToPointData).");
   }
   return values;
 }

@@ -77,7 +77,8 @@ public:
   // Throws like Read, but only for the data of this rank.
   void Check(vtkDataObject* data) const;
 
-  // Requests all data, or this rank's piece, at the first time step or the start of the time range.
+  // Requests all data (on several ranks: this rank's piece) at the first time step or, without
+  // steps, at the start of the time range.
   void RequestFirst(vtkInformation* information) const;
 
   // Update the input to a time, or to its first time. Return false on failure.

@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, this source is requested at the target's time. This time is
-  // the first one whenever the initial shape is needed.
+  // If both ports have the same source, this source is requested at the target's time. Whenever the
+  // initial shape is needed, the target's time is its first time step.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -241,7 +241,8 @@ private:
   SurfaceRequests& Requests;
 };
 
-// Frames that a simulation has not pushed yet are unavailable, so their spacing is not estimated.
+// Estimates the particle spacing from several time steps of the target; not for pushed frames,
+// because future frames are unavailable.
 void SurfaceRequests::SettleSpacing(vtkInformation* target)
 {
   if (target && !this->Clock.ArePushed() && this->Simulation.WantsSpacing())
