@@ -43,7 +43,7 @@ public:
     return this->OriginOf(this->Copies.empty() ? this->KeptAt(n) : this->Copies[n].Particle);
   }
 
-  // Replaces the contents of the lists by the particles and their origins.
+  // Replaces the contents of the lists by the particles and their indices in the frames.
   void List(std::vector<SkeletonVertex>& particles) const;
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 

@@ -64,8 +64,8 @@
  *
  * @par Threads
  * - Several threads may evaluate at once, as long as none modifies the function or its input.
- * - The result is bitwise identical for any number of threads and for every method. Contributions
- *   are always added in the same order: first points, then joints, each by point id, then segments
+ * - The result is bitwise identical for any number of threads and for every method. With SUM,
+ *   contributions are added in this order: points and then joints, each by point id, then segments
  *   by cell.
  */
 

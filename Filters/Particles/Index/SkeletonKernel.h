@@ -1,5 +1,5 @@
-// Contribution of one element of a skeleton to the sum: strength * W(distance / radius), and its
-// gradient.
+// Contribution of one element of a skeleton to the sum: strength * W(distance / radius), and to the
+// gradient of the potential, threshold - sum.
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
 // returns W(q) and W'(q)/q as functions of q^2 <= 1. The gradient is W'(q)/q * offset / radius^2,
@@ -173,8 +173,8 @@ struct SkeletonSegment
     const double strength = this->Strength + t * this->StrengthChange;
     const KernelSample kernel = Kernel::At(q2);
     const double slope = strength * kernel.SlopeOverQ;
-    // Between the ends of the segment, t depends on x, but the derivative of the distance by t is
-    // zero.
+    // Between the ends of the segment, t depends on x, but the derivative of the distance with
+    // respect to t is zero.
     const double perLength = t > 0.0 && t < 1.0 ? this->InverseLength2 : 0.0;
     const double alongEdge = perLength *
       (slope * q2 * this->RadiusChange * inverseRadius - this->StrengthChange * kernel.Value);

@@ -18,8 +18,8 @@ namespace
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
-// Distance of a body's surface from its outermost particles, minus 1 [own radii]. This compensates
-// for the volume that the body's edges lose.
+// Distance of a body's surface from its outermost particles, minus 1 [own radii]. This excess
+// compensates for the volume that the body's edges lose.
 constexpr float OffsetOfBody = .1f;
 
 // Bulk (GroupFits) grows from 0 to 1 between these densities of neighbours [particles per (2 own

@@ -73,8 +73,8 @@ void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
     if (!(std::fabs(bound) / voxelSize < FarthestNode))
     {
       std::ostringstream text;
-      text << "The mesh reaches more than 10^9 voxels of " << voxelSize
-           << " from the origin; enlarge VoxelSize, or move the mesh.";
+      text << "The mesh is more than 10^9 voxels from the origin; enlarge VoxelSize (now "
+           << voxelSize << "), or move the mesh.";
       throw std::invalid_argument(text.str());
     }
   }
