@@ -12,9 +12,8 @@ namespace activesurface
 namespace
 {
 
-// Deep (GroupFits) grows from 0 to 1 between these distances to the mean of the neighbours [radii
-// of the neighbourhood]. In a cubic lattice the distance is 0.2 in a deep body's surface layer,
-// below 0.1 inside.
+// Deep (GroupFits) grows from 0 to 1 between these distances to the neighbours' mean [radii of the
+// neighbourhood]. In a cubic lattice: 0.2 in a deep body's surface layer, below 0.1 inside.
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
@@ -23,8 +22,7 @@ constexpr float FullDepth = .22f;
 constexpr float OffsetOfBody = .1f;
 
 // Bulk (GroupFits) grows from 0 to 1 between these densities of neighbours [particles per (2 own
-// radii)^3]. The density is 0.28 in a one-layer sheet, 0.63 in a deep body's outermost layer, 0.87
-// in the next.
+// radii)^3]. Density: 0.28 in a one-layer sheet, 0.63 and 0.87 in a deep body's outermost layers.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
@@ -33,10 +31,9 @@ constexpr float FullBody = .8f;
 constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
-// Near neighbours are within NearPerWide of the neighbourhood's radius. Shape (GroupFits) grows
-// from 0 to 1 while the sum of their weights, including the particle's own (1), grows from
-// FewestNeighbours to EnoughNeighbours. The sum is 2.1 with two neighbours, 4.2 in a sheet of one
-// layer, about 6 at a body's surface.
+// Shape (GroupFits) grows from 0 to 1 between FewestNeighbours and EnoughNeighbours: sums of the
+// weights of the particle (1) and of neighbours within NearPerWide of the neighbourhood's radius.
+// The sum is 2.1 with two neighbours, 4.2 in a one-layer sheet, about 6 at a body's surface.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
@@ -55,7 +52,6 @@ constexpr float TinySize = .05f, SmallSize = .12f;
 // because the lattice shows no smaller ball.
 constexpr float LossOfTriangles = .155f;
 constexpr float LeastBall = .5f;
-
 constexpr float WholeBall = 32.f * 3.14159265f / 105.f; // integral of (1 - d^2)^2, unit ball
 
 struct ListKernel

@@ -138,9 +138,8 @@ void ImageSamples::ReadAxes(vtkImageData* image)
   }
   if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
   {
-    throw std::invalid_argument(
-      "The image has no position in space: its origin or spacing is not "
-      "finite, a spacing is 0, or axes are not orthogonal; correct them.");
+    throw std::invalid_argument("The image has no position in space: its origin or spacing is not "
+                                "finite, a spacing is 0, or axes are not orthogonal; fix them.");
   }
   vtkMath::Invert3x3(columns, this->Inverse);
   constexpr double roundings = 32.0;
@@ -260,8 +259,7 @@ double ImageSamples::GetSample(const int pixel[3]) const
 // Samples the crossings of the surface with lines of pixels along each axis: every `skip`-th line,
 // at most about 4 million pixels. The area of a crossing is |n_axis| (n: unit normal) times the
 // cross-section of a pixel. If skip is 1, the areas along an axis add up to the integral of
-// n_axis^2 over the surface. The areas along all axes add up to the surface's area, because n has
-// length 1.
+// n_axis^2 over the surface. Over all axes, the sum is the surface's area: n has length 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;
