@@ -1,8 +1,8 @@
 // Answers VTK's pipeline requests by a SurfaceSimulation.
 //
-// A request for data may need several time steps of the input. The first step is requested as usual
-// (RequestInputs), later steps by updates of the input within RequestData. VTK's CONTINUE_EXECUTING
-// is not used: its loop never ends if the input fails (VTK 9.1 to 9.6).
+// A request for data may need several time steps of the input. One missing step is requested as
+// usual (RequestInputs), further steps by updates of the input within RequestData. VTK's
+// CONTINUE_EXECUTING is not used: its loop never ends if the input fails (VTK 9.1 to 9.6).
 
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
@@ -52,7 +52,7 @@ public:
     const bool Before;
   };
 
-  // Throws std::logic_error if an observer makes this call during an update.
+  // Throws std::logic_error during an update. call: name of the refused function.
   void Refuse(const std::string& call) const
   {
     if (this->Is)

@@ -63,8 +63,8 @@ void TargetSteps::Request(vtkInformation* target)
   }
 }
 
-// Omits failed steps after the first step: a failed step is an error only when the surface reaches
-// this step. Then adds the first step, which is read a second time if ranks partition space.
+// The estimate omits later steps that fail: such a step is an error only when the surface reaches
+// it. The first step is read a second time if ranks partition space.
 void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
 {
   const SurfaceSettings& settings = this->Simulation.GetSettings();

@@ -1,5 +1,5 @@
-// Requests time steps of the target's input: the first step in the usual pipeline pass, later steps
-// by updates within RequestData.
+// Requests time steps of the target's input: one missing step in the usual pipeline pass, further
+// steps by updates of the input.
 
 #ifndef TargetSteps_h
 #define TargetSteps_h
@@ -24,14 +24,15 @@ public:
   {
   }
 
-  // Requests the step that the simulation needs first. Call this when the inputs are requested.
+  // Requests the next missing step; if none is missing, or if the last update failed, another step.
+  // Call this when the inputs are requested.
   void Request(vtkInformation* target);
 
   // Adds the requested step to the simulation if that step is still missing. target: null if there
   // is no input.
   void AddRequested(vtkInformation* target);
 
-  // Reads the first step, and more steps to estimate the particle spacing. Collective.
+  // Adds the first step, and reads more steps to estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
   // Adds the input's current data as the first step, if this step is still missing.

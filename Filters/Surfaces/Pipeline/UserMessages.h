@@ -1,10 +1,11 @@
 // Warnings and errors of the filter, which VTK shows. Within ParaView fewer messages are shown.
 //
 // ParaView opens a window for each warning and each error. ParaView requests each output port
-// separately, and again for each view. If a request fails, each executive adds a message with the
-// request. Within ParaView the same warning is therefore shown once, and a note does not open the
-// window. The same error is shown once after each change of the filter. The outputs of a failed
-// request are empty.
+// separately, and again for each view. Each executive adds an error to a failed request. Within
+// ParaView, therefore:
+// - The same warning is shown once, and a note does not open the window.
+// - The same error is shown once after each change of the filter.
+// - A failed request returns success, with empty outputs.
 
 #ifndef UserMessages_h
 #define UserMessages_h

@@ -48,7 +48,8 @@ struct PieceArrays
   std::vector<vtkAbstractArray*> Chosen;
 };
 
-// Return a piece that shares the points and arrays of the input, if the input has no ghosts.
+// Return the needed data of an input. Without ghosts, the piece shares the input's points and
+// arrays.
 InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays);
 InputPiece MakeCellPiece(vtkPolyData* cells, const PieceArrays& arrays);
 InputPiece MakeImagePiece(vtkImageData* image, vtkAbstractArray* values);

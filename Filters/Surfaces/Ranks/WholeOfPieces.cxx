@@ -33,8 +33,8 @@ bool AreAlike(vtkAbstractArray* a, vtkAbstractArray* b)
     a->GetNumberOfComponents() == b->GetNumberOfComponents();
 }
 
-// Returns each piece's array of this name, or null for a null piece. Returns an empty list if a
-// piece has no such array.
+// Returns the pieces' arrays of this name, with null for a null piece; an empty list if a piece
+// with data lacks the array.
 std::vector<vtkAbstractArray*> FindArrays(
   const Pieces& pieces, const char* name, const std::string& what)
 {
