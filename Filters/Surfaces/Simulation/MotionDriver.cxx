@@ -139,9 +139,9 @@ double MotionDriver::FindTensionAtStart(const Motion& motion) const
 
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
 // as later frames. This step's duration may be unknown yet. An automatic tension is proportional to
-// the attraction, so the tension's effect does not depend on the duration. With automatic
-// attraction, the effect of a given Tension depends on the duration; over particles this Tension is
-// ignored here.
+// the attraction, so the tension's effect does not depend on the duration. If Attraction is
+// automatic, the effect of a given Tension would depend on the duration, so over particles this
+// Tension is ignored here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
@@ -353,8 +353,8 @@ AdvanceReport MotionDriver::AdvanceOrArrive(NarrowBand& band, int step, MotionTi
     band, time.Value, this->Settings.GetArrival().Value, motion, progress);
 }
 
-// Computes the remaining distances once for each step. An interruption, or a request between two
-// steps, therefore does not change the motion to the next step.
+// Computes the distances from skin to target once for each step, so that an interruption, or a
+// request between two steps, does not change the motion to the next step.
 void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& motion)
 {
   PotentialTarget& target = this->Shapes.GetTarget();

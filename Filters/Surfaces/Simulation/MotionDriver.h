@@ -32,7 +32,7 @@ public:
     this->Arriving.reset();
   }
 
-  // These limits do not change the motion; the second one may end the motion by an exception.
+  // Limits that do not change the motion. More active voxels than `maximum` end it by an exception.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
@@ -58,8 +58,8 @@ public:
   }
 
   // Returns the walls: the bounds with BoundedDomain; on periodic axes the sides of the periodic
-  // box, moved outward by `beyond` [length]. Present is false with neither BoundedDomain nor a
-  // periodic axis.
+  // box, moved outward by `beyond` [length]. Present is true with BoundedDomain (once there is a
+  // domain) or a periodic axis.
   Walls MakeWalls(double beyond) const;
 
   // Numbers since ResetCounters, including motions that ended in an exception.

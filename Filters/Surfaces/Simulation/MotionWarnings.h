@@ -18,7 +18,7 @@ namespace activesurface
 class RestartWarning
 {
 public:
-  // Has to be called before the settings change. requested: last requested time of the surface.
+  // Detects replaced data; call this before the settings change. requested: last requested time.
   void Note(
     const SurfaceSettings& old, const SurfaceSettings& next, bool hasBegun, PipelineTime requested);
 

@@ -215,7 +215,8 @@ private:
   vtkNew<vtkStaticPointLocator> Locator;
 };
 
-// Computes the averages. Returns the particle of the largest weight for each point of the skin.
+// Averages the columns at the points of the skin. Returns the particle of the largest weight for
+// each point.
 std::vector<vtkIdType> Average(const std::vector<SkeletonVertex>& cloud, SkeletonKernel kernel,
   vtkPolyData* skin, Columns& columns)
 {

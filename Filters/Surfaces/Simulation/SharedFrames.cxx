@@ -108,8 +108,8 @@ void SharedFrames::MakeWhole(int first, int last)
   }
 }
 
-// Balances the costs of the ranks. Each particle of the step `last` costs 1; the leaves of the band
-// have their own costs.
+// Partitions space so that the ranks have equal costs. Each particle of the step `last` costs 1;
+// NarrowBand::ListCosts adds the costs of the band's leaves.
 std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
 {
   const InputShape& shape = *this->OwnedFrames.Find(last);

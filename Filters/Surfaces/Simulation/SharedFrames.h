@@ -32,8 +32,8 @@ public:
   void Add(int step, const std::shared_ptr<InputShape>& shape);
 
   // Partitions space for a band that is at the step `first` or starts there. Sends to each rank the
-  // particles of the steps `first` to `last` near the rank's partition. Gathers band and frames on
-  // all ranks if one of these frames is missing or not distributed. Collective.
+  // particles of the steps `first` to `last` near the rank's partition. If one of these frames is
+  // missing or not distributed, gathers band and frames on all ranks instead. Collective.
   void Place(NarrowBand& band, int first, int last);
 
   // Gathers the particles of distributed steps on all ranks. Collective.

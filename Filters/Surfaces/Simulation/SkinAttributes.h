@@ -45,8 +45,9 @@ struct ArrayFrames
 
 // Returns the frames at the requested time. If wantsInterval, as velocities do, returns the frames
 // of the interval before the requested step instead; at the first step, and at a time between
-// steps, of the interval after the step. For a forward-only input whose frame before is not stored
-// with the arrays, returns only the frame at the requested step. A static target has only frame 0.
+// steps, of the interval after the step. For a forward-only input, if the earlier frame is not
+// stored with the arrays, returns only the frame at the requested step. A static target has only
+// frame 0.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsInterval);
 
@@ -71,8 +72,8 @@ public:
   PassedArrays FindPassedArrays() const;
 
   // Returns the largest speed [length / motion time] of the particles in the interval that
-  // FindArrayFrames returns. The speed is (displacement + change of radius) / duration, or the
-  // passed velocity if that is larger. Returns 0 if no particle is matched between two stored
+  // FindArrayFrames returns. The speed is (displacement + change of support radius) / duration, or
+  // the passed velocity if that is larger. Returns 0 if no particle is matched between two stored
   // frames, if no particle moves, and for static targets and targets without particles.
   double FindFastestParticle(const PassedArrays& passed) const;
 

@@ -1,4 +1,4 @@
-// Writes and reads the state of a surface, to resume from: a .vdb file with metadata.
+// Writes and reads the state from which a surface resumes: a .vdb file with metadata.
 
 #ifndef StateFile_h
 #define StateFile_h

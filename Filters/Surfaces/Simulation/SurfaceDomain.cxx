@@ -80,8 +80,8 @@ void CheckVoxel(const ChosenVoxel& voxel)
   }
 }
 
-// image: voxel size for images, used if neither VoxelSize nor the spacing is > 0; 0: no images, so
-// a 64th of the longest side.
+// Chooses the first size that is available: VoxelSize, half of the spacing, `image` (the voxel size
+// for images; 0: no images), 1/64 of the longest side.
 ChosenVoxel ChooseVoxel(
   const SurfaceSettings& settings, double longest, double particleSpacing, double image)
 {

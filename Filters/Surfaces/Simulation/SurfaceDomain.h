@@ -41,7 +41,8 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
 // Makes the domain from the boxes of the target and the initial shape. The box of all shapes except
 // images is enlarged by an eighth of its longest side at each end. If there are images, the common
-// box of images and shapes is enlarged by two voxels (of the size for images) at each end.
+// box of images and shapes is enlarged at each end by two voxels (of VoxelSize or, if automatic,
+// the size for images).
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
 // Makes a domain without extent, for a start on an empty frame. Requires HasOwnSizes() of the

@@ -65,7 +65,7 @@ struct SurfaceInputs
   bool TargetMoves = false;
   std::uint64_t TargetMTime = 0; // of the function, or of the whole upstream pipeline
 
-  // Initial shape: a function, or the input if null, or the target without an input.
+  // Initial shape: a function; if null, the input of port 1; without this input, the target.
   vtkImplicitFunction* InitialFunction = nullptr;
   bool HasInitialInput = false;
   std::uint64_t InitialMTime = 0; // of the function, or of the whole upstream pipeline
@@ -93,7 +93,7 @@ struct SurfaceInputs
   bool operator==(const SurfaceInputs& other) const;
 };
 
-// Each property is a field here or in Motion, and a line of ForEachProperty below.
+// Each property is a field of this struct or of a member, and a line of ForEachProperty below.
 struct SurfaceSettings
 {
   Motion Parameters;             // without Attraction and Tension
@@ -149,8 +149,8 @@ struct SurfaceSettings
   // this region.
   static constexpr double FewestFactorsOfNodes = 2.0;
   // Returns true if ranks may partition space over particles: the input moves, the node scheme
-  // makes all time steps, and particles are anisotropic, without an array of radii. Requires that
-  // there is no VolumeControl, no AreaControl, no periodic box and no initial shape.
+  // makes all time steps, and particles are anisotropic, without an array of radii; VolumeControl,
+  // AreaControl, a periodic box and an initial shape are absent.
   bool CanShareSpace() const;
   // Returns true if the automatic noise is not 0 over particles. The automatic tension also needs
   // WeightedTension.

@@ -18,7 +18,7 @@ namespace
 
 constexpr const char* NothingToStartOn =
   "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
-  "begins when particles appear, set ModelBounds or ParticleSpacing and turn CreateParts on; or "
+  "begins when particles appear, turn CreateParts on and set ModelBounds or ParticleSpacing; or "
   "set an initial shape.";
 
 }
@@ -275,7 +275,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
     if (!domain && !this->Shapes.StartsOnNothing())
     {
       throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
-                                  "box around the initial shape.");
+                                  "box around the initial shape (by default the target).");
     }
     if (this->Loaded.Band && domain)
     {

@@ -177,7 +177,7 @@ public:
   {
     return this->ViewOf(this->ShareWholeBand());
   }
-  // The state without a cut at the sides of a periodic box.
+  // The surface without a cut at the sides of a periodic box.
   std::shared_ptr<const NarrowBand> ShareWholeBand() const
   {
     return this->Whole ? this->Whole : this->Path.Share(this->Requested);
@@ -190,7 +190,7 @@ public:
   {
     return this->Path.IsAt(this->Requested) ? &this->GetBand() : nullptr;
   }
-  // Returns null if the surface is not at `time`, which an earlier request had.
+  // Returns the surface at the time of an earlier request; null if the surface is at another time.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
     const bool isWhole = this->Whole && time.Time == this->Requested.Time;
@@ -288,9 +288,9 @@ private:
     return band && this->Shapes.GetBox().Any() ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
                                                : band;
   }
-  // Returns true if `outside`, the fraction of the target outside the skin, is not below that of
-  // the row before (row 0: not below 1 with another initial shape, else not below 0). The fraction
-  // decreases while a skin approaches the target.
+  // Returns true if `outside`, the fraction of the target outside the skin, has not decreased since
+  // the previous row. At row 0, returns true, except on an initial shape that covers a part of the
+  // target. The fraction decreases while a skin approaches the target.
   bool Loses(std::size_t row, double outside) const
   {
     const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;

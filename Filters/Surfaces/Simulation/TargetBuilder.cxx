@@ -25,7 +25,7 @@ constexpr double InitialReach = 8.0;
 // The band of the distance grid is wider than the skin's band, and has fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
-// Automatic TargetNoise / spacing: the surface of static particles deviates by up to this fraction.
+// Automatic TargetNoise, as a fraction of the spacing.
 constexpr double NoiseOfSpacing = 0.25;
 
 }
@@ -183,7 +183,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   this->EstimateSpacing(shape);
   TargetOptions options = this->GetOptions();
   options.When = this->DescribeStep(step);
-  // A level of a mesh needs distances on both sides of that level.
+  // At the level IsoValue, distances on both sides of the level are needed.
   options.MeshReach = options.Reach + std::fabs(this->Settings.IsoValue);
   options.MeshHint = " (Reach is here TargetReach plus the absolute value of TargetIsoValue; "
                      "MaximumNumberOfVoxels is ten times MaximumNumberOfActiveVoxels.)";
@@ -239,8 +239,8 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 }
 
 // Returns the distance by which the surface of a body of particles flickers: TargetNoise or, if
-// automatic, a fraction of the spacing. Returns 0 without the node scheme, and if automatic over
-// sums of kernels.
+// automatic, a fraction of the spacing. Returns 0 without the node scheme, and for an automatic
+// TargetNoise over sums of kernels.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())

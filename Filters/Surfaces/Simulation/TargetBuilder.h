@@ -56,7 +56,7 @@ public:
   void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
-  // Returns the distance along each axis from a rank's leaves within which the rank needs particles
+  // Returns the width around a rank's leaves, along each axis, in which the rank needs particles
   // [voxels].
   int FindMarginOfRanks();
 
@@ -141,9 +141,10 @@ public:
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
-  // Returns null while the bounds are unknown: without ModelBounds, before the first frames are
-  // added, for functions without bounds, and for an empty first frame if neither HasOwnSizes() nor
-  // a spacing gives the sizes. Throws std::invalid_argument for invalid settings.
+  // Returns null while the bounds are unknown. ModelBounds are always known; other bounds are
+  // unknown before the first frames are added, for functions without bounds, and for an empty first
+  // frame unless HasOwnSizes() or a spacing gives the sizes. Throws std::invalid_argument for
+  // invalid settings.
   const SurfaceDomain* FindDomain();
   // Returns the domain that FindDomain or SetDomain has set; null before.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }

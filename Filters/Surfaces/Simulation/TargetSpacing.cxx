@@ -14,7 +14,8 @@ namespace activesurface
 namespace
 {
 
-// Least number of particles of a sampled frame / largest number. Fewer particles may be strays.
+// Frames with fewer particles than this fraction of the largest number are ignored: such particles
+// may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
 
@@ -137,7 +138,7 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
   {
     throw std::invalid_argument(
       "The particles' spacing cannot be estimated, because there is only one particle, or "
-      "particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
+      "all particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
   }
   this->ReportSpacing(frame->HasRadii);
 }

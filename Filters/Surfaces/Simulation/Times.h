@@ -15,7 +15,7 @@ struct PipelineTime
   bool operator!=(PipelineTime other) const { return this->Value != other.Value; }
 };
 
-// The time of the equation of motion, in the units of Attraction and Tension: 0 at the first step.
+// Time of the equation of motion: TimeScale * (pipeline time - that of the first step).
 struct MotionTime
 {
   double Value = 0.0;
