@@ -28,7 +28,7 @@ namespace activesurface
 namespace
 {
 
-// Copies values of the filter's properties to fields of the settings, and prints them.
+// Copies the value of a property of the filter to its field of the settings.
 template <class Value, class Field>
 void AssignProperty(const Value& value, Field& field)
 {

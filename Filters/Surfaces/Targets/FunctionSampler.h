@@ -27,9 +27,9 @@ public:
     vtkImplicitFunction* function, double step, const std::array<double, 3>& origin = {});
   ~FunctionSampler();
 
-  // Returns true if the function has no transform and its class does not change when evaluated
-  // (list in FunctionSampler.cxx). For a vtkImplicitBoolean without a transform, returns true if
-  // all terms are thread-safe.
+  // Returns true if the function has no transform and is of a class whose objects evaluation does
+  // not change (list in FunctionSampler.cxx). For a vtkImplicitBoolean without a transform, returns
+  // true if all terms are thread-safe.
   bool IsThreadSafe() const;
 
   // Evaluates the function at points (x y z each). gradients may be null.

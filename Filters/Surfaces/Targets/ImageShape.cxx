@@ -145,7 +145,7 @@ std::string DescribeNotFinite(vtkDataArray* values)
   }
   return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
     " values are not finite (NaN or infinity), so voxels at these values have no surface. Replace "
-    "these values by finite values, inside or outside.";
+    "these values by finite values.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
@@ -211,7 +211,7 @@ ImageShape::ImageShape(const InputData& input)
 }
 
 // Makes the function of a mask that is smoothed as a label, inside above the level. Returns false
-// if there is no label.
+// if no pixel is above the level.
 bool ImageShape::PrepareLabel(double level)
 {
   const auto samples = MakeLabelSamples(vtkImageData::SafeDownCast(this->Data), level, this->Label);

@@ -28,8 +28,8 @@ public:
   virtual vtkAbstractArray* FindVelocities() const = 0;
 
   /**
-   * Returns the chosen values of an image, or its active scalars if none are chosen. Returns null
-   * for an image with an attached grid instead; throws for an image with neither.
+   * Returns the chosen values of an image or, if none are chosen, its active scalars. Without
+   * scalars, returns null for an image with an attached grid, and throws for any other image.
    */
   virtual vtkAbstractArray* FindValues() const = 0;
 };

@@ -123,7 +123,8 @@ bool LabelTarget::IsInside(const NodeIndex& node) const
   return this->DistanceAt({ double(node[0]), double(node[1]), double(node[2]) }) < 0.0;
 }
 
-// Distances [pixels] change by at most 1 / LeastPixel per unit of length.
+// Returns true if the potential is 1 in the whole block, or -1 in the whole block. Distances
+// [pixels] change by at most 1 / LeastPixel per unit of length.
 bool LabelTarget::IsUniform(const Block& block, double& distance) const
 {
   const double half = 0.5 * block.Size;

@@ -75,7 +75,7 @@ std::string MeshShape::Prepare(const TargetOptions& options, const Warnings&)
   const std::string defects = grid->GetDefects();
   return defects.empty() || thickness != 0.0 ? defects
                                              : defects +
-      " Holes are closed by winding numbers. If the open edges are a seam, merge the points "
+      " Any hole is closed by winding numbers. If open edges are a seam, merge the points "
       "(vtkCleanPolyData). If the mesh is meant to be open, set MeshThickness > 0 for a shell.";
 }
 

@@ -39,7 +39,7 @@ protected:
   // Step at which the current motion begins.
   int GetFirstStep() const { return this->FirstStep; }
 
-  // Duration from the step to the next one [motion time]; 0 if the target stays.
+  // Duration that MoveAlong has set, end - begin [motion time].
   double GetDuration() const { return this->End - this->Begin; }
 
 private:

@@ -54,10 +54,10 @@ public:
   }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
+  std::size_t CountRegionSources() const override { return this->Now.size(); }
   // Visits the support of each particle of positive strength, because any part that the skin does
   // not meet contains a support. Also visits two points outside each such particle at the edge of a
-  // body, where a hollow may be (a sum of kernels: if OpensHollows).
-  std::size_t CountRegionSources() const override { return this->Now.size(); }
+  // body, where a hollow may be; for a sum of kernels, only with OpensHollows.
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 
 protected:
@@ -68,8 +68,9 @@ protected:
 
 private:
   bool IsSum() const { return this->GetOptions().Model == ParticleModel::Sum; }
-  // Returns the own radius of the particles of a step and the next one [length], or 0 if the
-  // particles have radii. Sets the ratio of support radius to own radius.
+  // Returns half of the spacing, the own radius of all particles of a step and the next one
+  // [length]; 0 if particles have radii from an array. Sets the ratio of support radius to own
+  // radius.
   double FindOwnRadius(int step, double& reachPerRadius) const;
   // Value of the sum of kernels on the target's surface.
   double GetLevel() const { return this->GetOptions().Threshold - this->GetOptions().IsoValue; }
