@@ -15,9 +15,9 @@ namespace
 {
 
 constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // bytes; MPI counts in int
-// Messages longer than this [bytes] are exchanged by pairs of ranks. No rank then needs a second
-// copy of all bytes, and the total number of bytes may exceed the range of int, MPI's type of
-// counts.
+// If a message is longer than this [bytes], AllGather exchanges all messages by pairs of ranks. No
+// rank then needs a second copy of all bytes, and the total number of bytes may exceed the range of
+// int, MPI's type of counts.
 constexpr vtkIdType LongMessage = 1 << 16;
 
 constexpr int TagOfSwaps = 18091; // MPI guarantees tags only up to 32767

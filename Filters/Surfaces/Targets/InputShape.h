@@ -112,8 +112,8 @@ public:
   std::uint64_t Content = 0;
 
   /**
-   * Set if this shape has only the particles that this rank owns (OwnedParticles.h); otherwise
-   * null.
+   * Set if this shape has only the particles that this rank owns (OwnedParticles.h) or receives
+   * (SharedFrames.h); otherwise null.
    */
   std::shared_ptr<const OwnedPart> Owned;
 

@@ -17,7 +17,7 @@
 namespace activesurface
 {
 
-// Data of a shape that has only the particles that this rank owns.
+// Data of a shape that has only a part of the input's particles, see InputShape::Owned.
 struct OwnedPart
 {
   Agreement Ranks;
