@@ -13,8 +13,8 @@
  *
  * F is the target's value. NormalizeTarget replaces F - TargetIsoValue by a distance, which
  * TargetNoise reduces. kappa is the sum of the principal curvatures, n the outward normal, v the
- * velocity of the target's particles. A and V are the skin's area and volume, A0 and V0 TargetArea
- * and TargetVolume (if 0, at the start); the last two terms act with PENALTY controls.
+ * velocity of the target's particles. A and V are the skin's area and volume; A0 and V0 are
+ * TargetArea and TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
  *
  * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
  * the automatic value of some properties; Get...InUse returns the value in use.
@@ -49,8 +49,8 @@
  * @par Target with time steps, all of one kind
  * - Particles move in straight lines from step to step. Ids match the particles of two steps;
  *   particles of equal ids are matched in order of position. Without ids, indices match if both
- *   steps have equally many points; if 100 or more particles seem reordered, none match. A particle
- *   missing in the next step fades out: its strength falls linearly to 0. A new particle fades in.
+ *   steps have equally many points; if reordered (noticed for 100 points or more), none match. A
+ *   particle without a match fades out: its strength falls linearly to 0. A new particle fades in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
  *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
  * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
@@ -67,7 +67,7 @@
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
  * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
- *   unset, the extent may be empty before the first update on several ranks or if not connected.
+ *   unset, it may be empty before the first update, if there are several ranks or no consumer.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far (EQUILIBRIUM: start and end)
  *   | Column              | Unit          | Meaning                           |
@@ -202,8 +202,8 @@ public:
 
   ///@{
   /** Distance [length] from the target beyond which the attraction has a constant speed, Attraction
-   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing (if
-   * VoxelSize would use it), else 1/8 of ModelBounds' diagonal. Default: -1. */
+   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing if the
+   * automatic VoxelSize uses ParticleSpacing, else 1/8 of ModelBounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -238,21 +238,21 @@ public:
 
   ///@{
   /** Usual distance of neighbouring particles [length]: the side of the cube that a particle fills.
-   * Range: 1e-30 to 1e30, or -1, automatic: the median distance of a particle to its third nearest,
-   * with an array of radii at most the median diameter. A warning reports the spacing if neither
-   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last step,
-   * except steps with less than a tenth of another's particles. With Advance, or if the input
-   * cannot go back in time, only the first step with particles counts. Default: -1. */
+   * Range: 1e-30 to 1e30, or -1, automatic: the median distance to the third nearest particle, with
+   * an array of radii at most the median diameter. A warning reports the spacing if neither
+   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last step;
+   * a step with less than a tenth of the particles of another is left out. With Advance, or if the
+   * input cannot go back in time, only the first step with particles counts. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
-   * smoother and slower. An array of radii, if chosen, replaces KernelRadius. An isolated particle
-   * or line then becomes a ball or tube of the array's radius. The kernel ends at 4.5 times this
-   * radius, or (SUM, and lines) at the distance that gives this radius. Range: 1e-30 to 1e30, or
-   * -1, automatic: 2 (SUM, and lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+   * smoother and slower. A chosen array of radii replaces KernelRadius: an isolated particle or
+   * line becomes a ball or tube of the array's radius. The kernel ends at 4.5 times this radius;
+   * ParticleKernel and ParticleThreshold set this factor for SUM and lines. Range: 1e-30 to 1e30,
+   * or -1, automatic: 2 (SUM, lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
@@ -305,8 +305,8 @@ public:
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
    * the memory, 2 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
-   * 1e30, or -1, automatic: ParticleSpacing / 2 if set (not for functions in ModelBounds) or, with
-   * neither SUM nor ModelBounds, if estimated; else S / 64 (S: longest side of ModelBounds).
+   * 1e30, or -1, automatic: ParticleSpacing / 2 if set (not for functions in ModelBounds) or
+   * estimated (without SUM and ModelBounds); else S / 64, where S is ModelBounds' longest side.
    * Images without ModelBounds: pixel's side if smaller, at least about S / 1000. Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
@@ -334,10 +334,10 @@ public:
   // @name Motion
 
   ///@{
-  /** Rate [1/time] of approach to the target: between TargetNoise and TargetReach the distance
-   * falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time] per
-   * unit of the target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time steps); 1
-   * if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
+  /** Rate [1/time] of approach to the target: well beyond TargetNoise, up to TargetReach, the
+   * distance falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget:
+   * [length/time] per unit of the target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval
+   * of time steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
@@ -392,12 +392,12 @@ public:
 
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
-   * between disjoint shapes. A new part has at once the size that it has in the target. Voids that
-   * only the target has, deep inside the skin, are created, too. Over a mesh, an image or a
-   * vtkGridPotential, such a part is a connected part or void that the skin does not meet; over
-   * particles, a part that the skin does not reach by itself. Parts that Tension would remove are
-   * not created. Off: a skin only appears where the previous skin has been. No effect on skeletons
-   * and other functions (except with ArrivalTime), and with PaperScheme. Default: on. */
+   * between disjoint shapes. A new part has at once its size in the target. Voids of only the
+   * target, deep inside the skin, are created, too. Over a mesh, an image or a vtkGridPotential,
+   * such a part or void is connected, and the skin does not meet it; over particles, the skin does
+   * not reach the part by itself. Voids, and parts of meshes and images, that Tension would remove
+   * are not created. Off: no part appears apart from the previous skin. No effect on skeletons and
+   * other functions (except with ArrivalTime), and with PaperScheme. Default: on. */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
   vtkBooleanMacro(CreateParts, vtkTypeBool);
@@ -442,13 +442,13 @@ public:
 
   ///@{
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
-   * over moving particles and masks one step for each time step (static, without an initial shape:
-   * no motion), else EXPLICIT. That step evaluates the target once, at lattice nodes near the
-   * target's surface. Particles and masks use EXPLICIT also with EQUILIBRIUM or PaperScheme (masks
-   * also with an initial shape or TargetNoise 0), and in these cases, with a warning if particles
-   * move: Attraction * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue
-   * other than 0 (SUM: >= ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation
-   * not SHIFTED, GradientScheme CENTRAL. Default: AUTOMATIC. */
+   * moving particles and masks have one step per time step, which evaluates the target once, at
+   * nodes near the target's surface; static ones without an initial shape do not move; else
+   * EXPLICIT. Particles and masks also use EXPLICIT with EQUILIBRIUM or PaperScheme, masks with an
+   * initial shape or TargetNoise 0, and both, with a warning if particles move, for: Attraction *
+   * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other than 0 (SUM: >=
+   * ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation not SHIFTED,
+   * GradientScheme CENTRAL. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -498,9 +498,9 @@ public:
 
   ///@{
   /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
-   * is clamped to +-3 voxels. The target at a node is the mean of F at the node's crossings (or by
-   * TargetEvaluation); nodes without crossings use F at the node. Differences are central; time
-   * steps are by eq. (6) and (7), where the longest side of ModelBounds is 1. Default: off. */
+   * is clamped to +-3 voxels. With TargetEvaluation SHIFTED, the target at a node is the mean
+   * of F at its crossings, or F at a node without crossings. Differences are central; time steps
+   * are by eq. (6) and (7), where the longest side of ModelBounds is 1. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
@@ -516,12 +516,12 @@ public:
   };
 
   ///@{
-  /** Control of the volume of the skin (paper, section 5.2). NONE (0): no control, but AUTOMATIC
-   * integration keeps masks' volume (with neither BoundedDomain, obstacle nor AreaControl). PENALTY
-   * (1): a speed in proportion to the missing fraction e. In a ball of radius r0 without a target e
-   * (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if VolumeStiffness * r0 <
-   * 4.233 Tension. EXACT (2): a uniform displacement after each substep restores the volume within
-   * 1e-6 (relative), through splits 1e-5, at 3 times the cost. Default: NONE. */
+  /** Control of the volume of the skin (paper, section 5.2). NONE (0): none, but AUTOMATIC
+   * integration keeps masks' volume unless BoundedDomain, AreaControl or an obstacle is set.
+   * PENALTY (1): a speed in proportion to the missing fraction e. In a ball of radius r0 without a
+   * target e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if
+   * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
+   * restores the volume to a relative 1e-6 (splits: 1e-5), at 3 times the cost. Default: NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -638,7 +638,7 @@ public:
   ///@}
 
   ///@{
-  /** Largest length [length/time] of the vectors of "Velocity". Longer vectors lose part of their
+  /** Largest length [length/time] of the vectors of "Velocity". Longer vectors are shortened, the
    * normal component first. Skin that catches up, as where parts merge, moves at up to Attraction *
    * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle since the
    * previous step (at the first step and between steps, to the next): (displacement + change of
