@@ -273,7 +273,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets a series' estimated spacing if no length or radii are given; warns of unfit lengths."""
+    """Sets a series' spacing if no spacing, kernel radius or radii are set; or warns of misfits."""
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
@@ -316,7 +316,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
-    """Separates keywords that name an array from keywords that contain an array."""
+    """Returns the array names of the given keywords, and the arrays that keywords contain."""
     names, values = {}, {}
     for role, array in given.items():
         if isinstance(array, str):

@@ -113,7 +113,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
         numbers = [[number(cell) for cell in row] for row in cells]
         if kind != "R" or any(None in row for row in numbers):
             raise ValueError(
-                f"its column {name} has a value that is not a number of its kind ({error}); "
+                f"its column {name} has a value of a wrong type ({error}); "
                 "correct it"
             ) from error
         values = numpy.array(numbers, dtype=float)
@@ -169,7 +169,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     if unknown:
         effect = "have the radius 0" if are_known else "have radii from their distances"
         warn(
-            f"{few(unknown)}: there is no element of this symbol and known radius; these atoms "
+            f"{few(unknown)}: there is no element of this symbol, or no known radius; these atoms "
             f"{effect}. Write elements in the file."
         )
 
@@ -328,7 +328,7 @@ def _read_pdb_frame(lines: dict[int, str]) -> Frame:
 
 
 def _cell_of(cell: Any) -> Frame:
-    """Returns the edges of CRYST1 (lengths, angles); empty if all lengths are 1, for no cell."""
+    """Returns the edges of a cell by CRYST1 (lengths, angles); {} if all lengths are 1: no cell."""
     (a, b, c), (cos_bc, cos_ac, cos_ab) = cell[:3], numpy.cos(numpy.radians(cell[3:]))
     sine = max(1e-9, math.sqrt(max(0.0, 1 - cos_ab**2)))
     slant = (cos_bc - cos_ac * cos_ab) / sine
@@ -338,7 +338,7 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name in capitals; for an ion (a residue of its own) the element."""
+    """Returns an atom's name in capitals; of an ion (named as its residue) written like Na."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 
@@ -350,6 +350,6 @@ def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> An
             table[row] = [float(line[start:end]) for start, end in columns]
         except ValueError as error:
             raise ValueError(
-                f"line {place} has no number in a column that needs one; correct it"
+                f"line {place} lacks a position, velocity, residue number or cell; correct it"
             ) from error
     return table

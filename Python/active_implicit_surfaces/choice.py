@@ -218,7 +218,7 @@ def labels_of(data: Any) -> list[int]:
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
-        raise ValueError("There are no labels: the values are texts; choose by where label=NAME.")
+        raise ValueError("There are no labels: the values are texts; select by --where label=NAME.")
     if values.dtype.kind not in "iu" and not numpy.array_equal(values, values.round()):
         raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
     if len(values) > _MOST_LABELS:
@@ -264,7 +264,7 @@ def _labels_in(data: Any) -> Any:
         if _has(data, name):
             return _values_of(data, name)[0]
     raise ValueError(
-        "There is no array 'label' or 'labels'; choose by another array: where NAME=3."
+        "There is no array 'label' or 'labels'; select by another array: --where NAME=3."
     )
 
 

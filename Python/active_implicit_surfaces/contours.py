@@ -72,7 +72,7 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
     """Returns one level for a series, and True if inside is above, by the rules of `usual_level`.
 
-    Raises ValueError if the images have several labels, or by this rule no inside.
+    Raises ValueError if the images have several labels, or no inside by these rules.
     """
     every = [_with_point_values(image) for image in images]
     border = numpy.concatenate([_at_border(*one) for one in every])
@@ -84,7 +84,8 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
         return level, above
     if len(labels) > 1:
         raise ValueError(
-            f"The image has the labels {few(labels, 20)}; choose one by --label of active-surface."
+            f"The image has the labels {few(labels, 20)}; choose one (active-surface --label, or "
+            "vtkImageThreshold)."
         )
     if values[0] == values[-1]:
         raise ValueError(
@@ -98,7 +99,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """Returns an image that is 0 at the level and negative inside; the image itself if it is so."""
+    """Returns an image that is 0 at the level and negative inside; such an image is not copied."""
     if not above and level == 0:
         return image
     own, values = _with_point_values(image)

@@ -129,9 +129,9 @@ def is_vtk(thing: Any) -> bool:
     if hasattr(thing, "IsA") and hasattr(thing, "GetClassName"):
         raise TypeError(
             f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
-            f"the package {vtk_build.PACKAGE}; use classes of that package. For PyVista, set the "
-            "environment variable PYVISTA_VTK_BACKEND (vtk for vtkmodules, else cvista) before "
-            "PyVista is imported."
+            f"which uses the package {vtk_build.PACKAGE}; use classes of that package. For "
+            "PyVista, set the environment variable PYVISTA_VTK_BACKEND (vtk for vtkmodules, else "
+            "cvista) before PyVista is imported."
         )
     return False
 

@@ -73,7 +73,7 @@ def _numbers_in(names: list[str]) -> re.Pattern[str]:
 
 
 def suffix_of(name: str | Path) -> str:
-    """Returns the extension in lower case: a.VTP .vtp, a.vtp.series .series, a.nii.gz .nii.gz.
+    """Returns the extension in lower case: .vtp of a.VTP, .series of a.vtp.series; also .nii.gz.
 
     LAMMPS names such as dump.100 have the extension .dump.
     """
@@ -108,7 +108,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names have all pairs of two numbers (one may count parts); else ""."""
+    """Returns a note if names combine two numbers in all ways (one may count parts); else ""."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -184,8 +184,9 @@ def read_index(index: Path) -> Listing:
         raise OSError(f"{index} cannot be read: {error.strerror}.") from error
     except (KeyError, TypeError) as error:
         raise OSError(
-            f"{index} is no index of a series of files: an entry has no "
-            f"{'file' if suffix_of(index) == '.pvd' else 'name and time'}; correct it."
+            f"{index} is no index of a series of files: it needs "
+            f"{'a file' if suffix_of(index) == '.pvd' else 'files, and a name and time'} "
+            "in each entry; correct it."
         ) from error
     except (ValueError, ElementTree.ParseError) as error:
         raise OSError(f"{index} is no index of a series of files: {error}; correct it.") from error

@@ -44,8 +44,8 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     floats. Arrays of more than 4 components are split into _NAME_0 ...; if the arrays differ in
     their number of components, vectors are split into _NAME_X, _NAME_Y ...
     Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
-    glTF. If single precision is too coarse, vertices are relative to an origin, which is the node's
-    translation.
+    glTF. If single precision is too coarse, vertices are relative to an origin, which the
+    node's translation adds.
     """
     origin = origin_for_floats(mesh)
     warn_of_rounding(".glb", mesh, origin)
@@ -67,7 +67,7 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
 
 
 def _place(up: str, origin: Any) -> dict[str, Any]:
-    """Returns the transform of a node: rotation of axis `up` to y, and translation by `origin`."""
+    """Returns the transform of a node: translation by `origin`, then rotation of axis `up` to y."""
     turn = {"rotation": TO_Y[up]} if up in TO_Y else {}
     if not origin.any():
         return turn

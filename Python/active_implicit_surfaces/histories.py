@@ -29,8 +29,8 @@ def history(surface: Any) -> dict[str, Any]:
     Returns
     -------
     dict of str to array
-        Time, Area, Volume, Components, Voids, Event and more; ``pandas.DataFrame(history(live))``
-        is a table of pandas.
+        Time, Area, Volume, Components, Voids, Event and more; a table of pandas is
+        ``pandas.DataFrame(history(surface))``.
 
     Raises
     ------

@@ -133,8 +133,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         """Converts images by one rule for all: masks to labels, 1 inside; others to level sets,
         negative inside.
 
-        Particles are not changed. Raises ValueError if the images have several labels, or by this
-        rule no inside.
+        Particles are not changed. Raises ValueError if the images have several labels, or no inside
+        by the rule.
         """
         if self._output_type == "vtkImageData":
             self._change(converter_of_series(self.frames_that_tell()))

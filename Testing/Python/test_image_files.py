@@ -172,7 +172,7 @@ class Images(CommandTest):
         self.put_values("v.nrrd", 1.0 - self.flat)
         said = self.succeed("convert", "v.nrrd", "-o", "contour.vtp", "--level", 1).err
         self.assertIn(
-            "Inside is above 1: the image is a mask or fractions, or most of its border is below.",
+            "Inside is above 1, because the image is a mask or volume fractions, or most values",
             said,
         )
 
@@ -212,7 +212,7 @@ class Images(CommandTest):
         said = self.fail_with(1, "convert", "labels.nrrd", "-o", "a.stl")
         self.assertIn("or a --label of 1, 3.", said)
         said = self.fail_with(1, "morph", "labels.nrrd", "a.nrrd")
-        self.assertIn("has the labels 1, 3; choose one by --label of active-surface.", said)
+        self.assertIn("has the labels 1, 3; choose one (active-surface --label, or", said)
 
     def test_what_is_not_read_is_said(self):
         head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 1\nencoding: text\n\n7\n"

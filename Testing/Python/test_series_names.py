@@ -23,9 +23,9 @@ class IndicesOfOthers(ReaderTest):
 
     def test_an_entry_without_name_or_time(self):
         for name, text, words in (
-            ("a.series", '{"files": ["0.csv"]}', "no name and time"),
-            ("a.series", '{"files": [{"name": "0.csv"}]}', "no name and time"),
-            ("a.pvd", '<VTKFile><DataSet timestep="0"/></VTKFile>', "no file"),
+            ("a.series", '{"files": ["0.csv"]}', "a name and time in each entry"),
+            ("a.series", '{"files": [{"name": "0.csv"}]}', "a name and time in each entry"),
+            ("a.pvd", '<VTKFile><DataSet timestep="0"/></VTKFile>', "a file in each entry"),
         ):
             with self.subTest(text):
                 self.assert_refused(words, self.put(name, text))

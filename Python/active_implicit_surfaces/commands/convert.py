@@ -217,8 +217,8 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
             level, above = usual_level(image, options.level)
             if above and options.level is not None:
                 warn(
-                    f"Inside is above {level:g}: the image is a mask or fractions, or most of its "
-                    "border is below."
+                    f"Inside is above {level:g}, because the image is a mask or volume fractions, "
+                    "or most values at its border are lower."
                 )
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)

@@ -1,4 +1,4 @@
-"""Rejects an option without effect in a run, or warns on one frame; says where the option acts.
+"""Rejects options without effect in a run, or warns of them; says where each option acts.
 
 A run has facts: words such as "render", and the value of each choice and switch of the filter, such
 as "particle_model=sum". An option has rows of facts: from _ACTING, and from the group and

@@ -269,7 +269,7 @@ def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
 
 
 def _digits_of(values: Any) -> int:
-    """Returns the significant digits: 6, or more for values that differ little, as on a map."""
+    """Returns the significant digits: 6, or more if values differ little, as map coordinates."""
     if not isinstance(values, list) or not all(isinstance(value, float) for value in values):
         return 6
     ends = values[: len(values) // 2 * 2]

@@ -196,7 +196,7 @@ def picture_size(text: str) -> tuple[int, int]:
     """Parses a size [pixels] such as 640x360."""
     parts = text.lower().split("x")
     if len(parts) != 2 or not all(part.isdigit() and 16 <= int(part) <= 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720 (16 to 16384 each)")
+        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720 [16 to 16384 pixels]")
     return int(parts[0]), int(parts[1])
 
 

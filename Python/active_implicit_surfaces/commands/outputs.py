@@ -82,7 +82,9 @@ class Outputs:
         self.is_usd = bool(self.output) and suffix_of(str(self.output)) in USD_SUFFIXES
         if self.is_usd and (index or getattr(options, "resume", False)):
             option = "--index" if index else "--resume"
-            parser.error(f"{option} has no effect on {self.output}, one file of all frames")
+            parser.error(
+                f"{option} has no effect on {self.output}, one file of all frames; leave it out"
+            )
         try:
             if self.output:
                 check_suffix(self.output, (*SKIN_SUFFIXES, *USD_SUFFIXES), "skins")

@@ -143,7 +143,7 @@ class Resumption(Sink):
             if before != now:
                 what = "has changed since" if before[0] == now[0] else f"was {before[0]}"
                 raise ValueError(
-                    f"The skins so far were made of other files: {now[0]} {what}; run without "
+                    f"The skins so far were made from other files: {now[0]} {what}; run without "
                     "--resume to make all skins again."
                 )
 

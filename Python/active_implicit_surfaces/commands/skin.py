@@ -53,7 +53,7 @@ def run(arguments: list[str]) -> int:
     if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
         parser.error("a film cannot be resumed; render to frame.####.png")
     if options.resume and options.render and not options.output:
-        parser.error("--resume needs files of skins; name them, -o skin_####.vtp")
+        parser.error("--resume needs files of skins; add -o skin_####.vtp")
     for name in ("preset", "ids", "strengths", "velocities") if options.probe is not None else ():
         if getattr(options, name):
             parser.error(f"--{name} has no effect with --probe")
