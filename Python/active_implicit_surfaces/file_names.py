@@ -155,7 +155,8 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
     if not found:
         raise OSError(
-            f"{folder} cannot be read: the folder has no file with extension {', '.join(known)}."
+            f"{folder} cannot be read: the folder has no file with extension {', '.join(known)}; "
+            "choose another folder."
         )
     numbers = _numbers_in([path.name for path in found])
     series = Counter("*".join(numbers.split(path.name)[::2]) for path in found)

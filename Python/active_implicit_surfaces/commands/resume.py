@@ -148,7 +148,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Returns name, size and mtime of the first `count` files; if files may grow, names."""
+        """Returns name, size and mtime of the first `count` files; only names if files may grow."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()
