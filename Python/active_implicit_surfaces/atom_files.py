@@ -113,8 +113,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
         numbers = [[number(cell) for cell in row] for row in cells]
         if kind != "R" or any(None in row for row in numbers):
             raise ValueError(
-                f"its column {name} has a value of a wrong type ({error}); "
-                "correct it"
+                f"its column {name} has a value of a wrong type ({error}); correct it"
             ) from error
         values = numpy.array(numbers, dtype=float)
     if lower in ("pos", "positions", "position"):
