@@ -63,8 +63,8 @@ class morph(Skins):
     Warns
     -----
     UserWarning
-        The longest sides of the shapes' bounds differ by a factor of more than 1.5, or the bounds'
-        centres are farther apart than half of the longer side.
+        After `fit`, the longest sides of the shapes' bounds differ by a factor of more than 1.5, or
+        the centres are farther apart than half of the longer one.
 
     Attributes
     ----------

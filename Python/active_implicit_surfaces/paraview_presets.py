@@ -26,8 +26,8 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     The values appear in the panel, where the user can change them, and are saved in state files.
     Values depend on the particles at the first time step (spacing, radii), which are sent to the
     client, and on the median time between two steps. A Particle Spacing that was set before stays.
-    Properties that only other presets set return to their defaults, except lengths and a radius
-    array set by the user.
+    Properties that only other presets set return to their defaults, except a voxel size, a kernel
+    radius or a radius array set by the user.
 
     Parameters
     ----------
@@ -50,14 +50,17 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     proxy = simple.GetActiveSource() if surface is None else surface
     if proxy is None or proxy.GetXMLName() != "ActiveImplicitSurface":
         raise ValueError(
-            "Select an Active Implicit Surface over particles in the Pipeline Browser."
+            "The source is no Active Implicit Surface. Select an Active Implicit Surface over "
+            "particles in the Pipeline Browser."
         )
     target = proxy.Input
     times = [float(time) for time in proxy.TimestepValues] or [0.0]
     target.UpdatePipeline(times[0])
     particles = servermanager.Fetch(target)
     if not particles.IsA("vtkPointSet"):
-        raise ValueError(f"A preset needs particles as points, not a {particles.GetClassName()}.")
+        raise ValueError(
+            f"A preset needs particles, not a {particles.GetClassName()}; connect a point set."
+        )
     given = {"particle_spacing": proxy.ParticleSpacing, "time_scale": proxy.TimeScale}
     given = properties.given(given)
     frames = TemporalSource(lambda step: particles, times)

@@ -65,7 +65,7 @@ class ParticleFiles:
     Attributes:
     - names (list of Path): file of each frame, or the first of its parts.
     - files (list of Path): all files.
-    - numbers (list of int): frame numbers, by `numbers_of` of the names.
+    - numbers (list of int): frame numbers from the names; see file_names.numbers_of.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class ParticleFiles:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        as `choose` does, but in a series not for an absent value or an image's absent label.
+        as `choose` does. In a series, an absent value warns, and images may lack the label.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
@@ -186,7 +186,7 @@ def _note(noted: set[str], path: Path, text: str) -> None:
 
 
 def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:
-    """Returns a loader for each frame of a file, and the frames' times, None if not in the file."""
+    """Returns a loader for each frame of a file, and the frames' times, or None if unknown."""
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _OWN_READERS:

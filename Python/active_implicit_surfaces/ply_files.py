@@ -1,5 +1,5 @@
-"""Reads .ply files: VTK's reader reads beyond the end of an incomplete file, and ignores
-properties that it does not know.
+"""Reads .ply files in place of VTK's reader, which reads beyond the end of an incomplete file and
+ignores unknown properties.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; numeric properties of vertices and polygons become arrays.
 
-    Raises OSError if the file is damaged, has no element vertex, or faces without vertex_indices.
+    Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """
     try:
         content = path.read_bytes()
@@ -106,7 +106,7 @@ def _doubles_of(text: bytes) -> bytes:
 def _read_element(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
-    """Returns the columns of an element, and the offset of its end; fast for one list length."""
+    """Returns the columns of an element, and the offset of its end; fast if lists have equal lengths."""
     if element.rows == 0:
         return {}, start
     first, _ = _read_row(content, start, order, element)
@@ -201,7 +201,7 @@ def _polygons(rows: Sequence[Any], count: int) -> Any:
 
 
 def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:
-    """Adds arrays, named as VTK's reader does: Normals, RGB or RGBA (of bytes), TCoords."""
+    """Adds arrays; Normals, RGB or RGBA (bytes) and TCoords have the names of VTK's reader."""
     left = {name.removeprefix("diffuse_"): values for name, values in arrays.items()}
     if {*_COLOURS[:3]} <= {*left}:
         colours = numpy.stack([left.pop(name) for name in _COLOURS if name in left], axis=-1)

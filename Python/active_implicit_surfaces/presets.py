@@ -1,7 +1,7 @@
 """Presets: named sets of property values, scaled to the data.
 
-Lengths scale with the particle spacing, or with the particles' radii if given; rates with 1 / (time
-between two frames).
+Lengths scale with the particle spacing or the particles' radii, rates with 1 / (time between two
+frames).
 """
 
 from __future__ import annotations
@@ -88,16 +88,16 @@ def describe_precision(cloud: Any, spacing: float) -> list[str]:
 
 
 def is_point_cloud(data: Any) -> bool:
-    """Returns True for a vtkPolyData without polygons and lines, and any other vtkPointSet."""
+    """Returns True for a vtkPolyData without polygons and lines, and for other point sets."""
     if data.IsA("vtkPolyData"):
         return not has_polygons(data) and data.GetNumberOfLines() == 0
     return bool(data.IsA("vtkPointSet"))
 
 
 def series_spacing(frames: list[Any]) -> float:
-    """Returns the least spacing among the frames; 0 if no frame has two particles.
+    """Returns the least positive spacing of a frame; 0 if no frame has one.
 
-    Frames with less than a tenth of the largest count, such as spray before a splash, are ignored.
+    Frames with less than a tenth of the most particles, as spray before a splash, are ignored.
     """
     clouds = [frame for frame in frames if is_point_cloud(frame)]
     most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)
@@ -119,7 +119,7 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets SUM with short kernels; radii are of the chosen array, else of "radius", else equal."""
+    """Sets SUM with short kernels; radii: the chosen array, else "radius", else one for all."""
     first = source.first_frame()
     chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
     radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None

@@ -29,8 +29,8 @@ class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
     - probe (float): radius of the probe [length], 0 or more.
-    - preset, arrays, options: see `frames`; a preset, or an array other than "radii" (default:
-      "radius"), raises ValueError. The class adds "voxel_size" (default: a quarter of the root mean
+    - preset, arrays, options: see `frames`. `arrays` may have only the key "radii" (default:
+      "radius"); another key, or a preset, raises ValueError. The class adds "voxel_size" (default: a quarter of the root mean
       square radius of the first frame with atoms) and "attraction" to `options` if missing, and
       removes "pass_target_arrays".
 
@@ -108,7 +108,7 @@ class ProbedAtoms:
 
 
 def _nearest_points(cloud: Any, mesh: Any) -> Any:
-    """Returns the point of a cloud nearest to each point of a mesh."""
+    """Returns for each point of a mesh the index of the nearest point of a cloud."""
     found = vtkIdList()
     locator = vtkStaticPointLocator()
     locator.SetDataSet(cloud)

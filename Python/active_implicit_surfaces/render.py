@@ -16,14 +16,14 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0
                                 where nothing is
 
-Z and P are read from the depth buffer, so both contain every opaque object of the renderer. N,
-forward and id contain surfaces of actors whose mapper has a data set (vtkPolyDataMapper,
-vtkDataSetMapper) or blocks of data sets, as in ParaView. These surfaces are rendered again, without
+Z and P are read from the depth buffer, so both contain every opaque object of the renderer. N, id
+and velocities are known only for actors whose mapper has a data set (vtkPolyDataMapper,
+vtkDataSetMapper) or blocks of data sets, as in ParaView. Their surfaces are rendered again, without
 lights, with values in place of colors. Translucent objects, and objects of other renderers on top,
 are only in the picture. Layers are sampled at the pixels' centers; only the picture is antialiased.
 The picture has the window's 8 bits and alpha. Alpha is 0 on a background whose BackgroundAlpha is
-0, and on actors that are `apart`. If such a background is black, as with `apart`, colors are
-premultiplied by alpha, as OpenEXR requires.
+0. If this background is black, as with `apart`, colors are premultiplied by alpha, as OpenEXR
+requires.
 """
 
 from __future__ import annotations
