@@ -106,7 +106,7 @@ def _doubles_of(text: bytes) -> bytes:
 def _read_element(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
-    """Returns the columns of an element, and the offset of its end; fast if lists have equal lengths."""
+    """Returns the columns of an element, and its end's offset; fast if lists have equal lengths."""
     if element.rows == 0:
         return {}, start
     first, _ = _read_row(content, start, order, element)

@@ -30,9 +30,9 @@ class ProbedAtoms:
 
     - probe (float): radius of the probe [length], 0 or more.
     - preset, arrays, options: see `frames`. `arrays` may have only the key "radii" (default:
-      "radius"); another key, or a preset, raises ValueError. The class adds "voxel_size" (default: a quarter of the root mean
-      square radius of the first frame with atoms) and "attraction" to `options` if missing, and
-      removes "pass_target_arrays".
+      "radius"); another key, or a preset, raises ValueError. The class adds "voxel_size" (default:
+      a quarter of the root mean square radius of the first frame with atoms) and "attraction" to
+      `options` if missing, and removes "pass_target_arrays".
 
     Attributes:
     - source (TemporalSource): source of the images.

@@ -1,4 +1,4 @@
-"""Skins as methods of PyVista's data sets; PyVista 0.48 or later loads them from an installed wheel.
+"""Skins as methods of PyVista's data sets; PyVista 0.48 or later loads them from a wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh

@@ -289,7 +289,7 @@ def _origin_of(renderer: Any) -> tuple[float, ...] | None:
     listed = " ".join(f"{value:.17g}" for value in origin)
     warn(
         f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}: "
-        "single precision is too coarse here."
+        "single precision is too coarse here. Add worldOrigin to P for positions in the world."
     )
     return origin
 

@@ -47,7 +47,7 @@ class Scene:
 
     - held (array (n, 3)): points in view; the ground is below all of them.
     - size ((int, int)): size of the pictures [pixels].
-    - soft (bool): ambient occlusion, which uses the depth buffer: must be False for layers.
+    - soft (bool): ambient occlusion; must be False for the layers of render.capture().
 
     Attributes:
     - apart (dict): actor of the ground, if any, for `apart` of render.capture().

@@ -87,7 +87,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points; with `any_order` also later middle and last ones."""
+        """Returns the first frame with points; with `any_order` also middle and last, if later."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
@@ -118,7 +118,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         [length^3].
 
         A particle has the volume spacing^3. Without a spacing all particles stay. Returns the least
-        number of particles of a cluster. Raises ValueError for images.
+        number of particles of a cluster that stays. Raises ValueError for images.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)
@@ -130,11 +130,10 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return minimum
 
     def use_usual_level(self) -> None:
-        """Converts images by one rule for all: masks to labels, 1 inside; others to level sets,
-        negative inside.
+        """Converts a series of masks to labels (1 inside), of other images to level sets (negative
+        inside), with one level for all.
 
-        Particles are not changed. Raises ValueError if the images have several labels, or no inside
-        by the rule.
+        Particles are not changed. Raises ValueError if the images have several labels or no inside.
         """
         if self._output_type == "vtkImageData":
             self._change(converter_of_series(self.frames_that_tell()))

@@ -142,7 +142,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
-    """Returns the box (edges, corner, periodic axes) as read_molecule does, and the corner."""
+    """Returns the box as arrays Lattice, Origin and pbc, and its corner."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
     if rows.shape == (3, 4):
         edges, origin = rows[:, :3], rows[:, 3]
@@ -157,7 +157,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """Reads the particles of all kinds, with arrays that each kind has; "array" names the kind."""
+    """Reads all kinds of particles with the arrays common to them; "array" names the kind."""
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")

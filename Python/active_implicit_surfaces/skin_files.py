@@ -113,7 +113,7 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     """Reads a mesh or an image; joins the file and `parts`, if any, into one mesh.
 
     With `parts`, images are contoured. A file without points is an empty mesh. Raises OSError if a
-    file cannot be read, or has points, but neither a mesh nor an image.
+    file cannot be read, or holds data other than a mesh or an image.
     """
     if parts:
         return output_of(vtkAppendPolyData(), *map(_surface_in, (path, *parts)))
@@ -150,7 +150,7 @@ def _surface_in(path: Path) -> Any:
 def holds_particles(path: Path) -> bool | None:
     """Returns True for particles, False for a mesh or image, None for no points (.vdb: True).
 
-    A vtkPolyData without polygons is particles; another point set, if all cells are vertices.
+    Particles: a vtkPolyData without polygons, or another point set whose cells are vertices.
     If the extension allows only particles, or only meshes and images, the file is not read. Raises
     OSError for another extension, or if the file cannot be read.
     """
@@ -176,7 +176,7 @@ def surface_of(blocks: Any) -> Any:
 
 
 def write_particles(path: Path, cloud: Any) -> None:
-    """Writes points, with the arrays that the format can hold, completely or not at all."""
+    """Writes points and the arrays that the format can hold, atomically."""
     suffix = suffix_of(path)
     if suffix in (".vtp", ".ply", ".vtk"):
         write_mesh(path, _with_vertices(cloud) if cloud.GetNumberOfPoints() else cloud)
@@ -222,7 +222,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """Returns a mesh of triangles itself, of another mesh the triangles of polygons and strips."""
+    """Returns the mesh if all polygons are triangles, else triangles of its polygons and strips."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):

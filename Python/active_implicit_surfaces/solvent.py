@@ -142,7 +142,7 @@ class _Grid:
         self.exit = self.depth
 
     def add_balls(self) -> None:
-        """Finds depth and owner of points within `probe`, or if larger `band`, of an atom."""
+        """Finds depth and owner of the points within max(`probe`, `band`) of an atom."""
         for ball, (center, radius) in enumerate(zip(self.centers, self.radii)):
             box, axes = self._box(center, radius + max(0.0, self.band - self.probe))
             x, y, z = ((axis - own) ** 2 for axis, own in zip(axes, center))
@@ -173,7 +173,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Reduces exits, except those of add_patch, to distances from arcs with later balls."""
+        """Reduces `exit`, unless set by add_patch, to the distances from the arcs of _arcs_of."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)

@@ -46,7 +46,7 @@ _SAMPLED = 40  # lines searched for the header and for the types of columns
 
 
 class _Form(NamedTuple):
-    """Format of a table; `columns` are the indices of the columns to read."""
+    """Format of a table; `columns` are the indices of the columns of numbers."""
 
     separator: str | None
     names: list[str]
@@ -79,7 +79,8 @@ def read_table(text: str) -> Frames:
 def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
     """Groups named columns into arrays; columns without a name are left out.
 
-    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a form a vector a; x y z the positions.
+    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a form a vector a. The positions are x y z,
+    else a vector named pos, points or the like.
     """
     plain = [*map(_plain, names)]
     vectors = _vectors_in(plain, _AXIS_LAST, (2, 3, 4), 1)
@@ -105,7 +106,7 @@ def _plain(name: str) -> str:
 def _vectors_in(
     names: Sequence[str], form: re.Pattern[str], axes: Sequence[int], base: int
 ) -> dict[str, list[int]]:
-    """Returns vectors with all three components; `axes`, `base`: groups of the pattern `form`."""
+    """Returns the columns of 3D vectors; `axes`, `base`: groups of `form` for axis and name."""
     columns: dict[str, dict[int, int]] = {}
     for i, name in enumerate(names):
         if parts := form.fullmatch(name):

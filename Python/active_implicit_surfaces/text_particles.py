@@ -116,7 +116,7 @@ def read_numpy(path: Path) -> Frames:
             if "allow_pickle" in str(error):
                 raise ValueError(
                     "it has Python objects, which may contain code and are not loaded; save "
-                    "arrays of numbers (PySPH: install h5py and run again, for .hdf5)"
+                    "arrays of numbers (PySPH writes .hdf5 if h5py is installed)"
                 ) from None
             raise
         return _from_arrays(arrays)
@@ -129,8 +129,8 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         found = next(iter(arrays))
     if found is None or (found.lower() == "x" and "y" in names and "z" not in names):
         raise ValueError(
-            f"it has no array of positions, but {', '.join(arrays) or 'nothing'}; write an array "
-            "positions"
+            f"it has no array of positions, but {', '.join(arrays) or 'nothing'}; add an array "
+            'named "positions"'
         )
     if found.lower() == "x" and "y" in names:
         arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}

@@ -148,8 +148,8 @@ class UsdFilm(Sink):
             if not self._wide.setdefault(name, is_wide):
                 if is_wide:
                     raise OSError(
-                        f"{self.path}: {name} needs 64 bits, but has 32 in earlier frames; write a "
-                        "file for each frame, such as skin_####.vtp."
+                        f"{self.path}: array {name} needs 64-bit integers, but has 32-bit ones in "
+                        "earlier frames; write a file for each frame, such as skin_####.vtp."
                     )
                 kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender has int32 only
         plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)

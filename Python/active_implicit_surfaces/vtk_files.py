@@ -1,7 +1,7 @@
 """Reads files by readers of VTK and of this package; their errors become OSError.
 
-VTK's readers of .obj and .stl accept any bytes, or crash, so these files are checked before. VTK's
-reader of .obj drops colours and digits, and adds an array of group numbers.
+VTK's readers of .obj and .stl accept any bytes, or crash, so these files are checked before. Of an
+.obj, colours and digits that VTK drops are read here, and VTK's array of group numbers is removed.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ def _reader_of(path: Path) -> Any:
         reader = getattr(importlib.import_module(module), name)()
     except ImportError as error:
         raise OSError(
-            f"{path} cannot be read: VTK here has no {name}; convert the file."
+            f"{path} cannot be read: this installation has no {name}; convert the file."
         ) from error
     if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
         _check_steps(path)
@@ -179,13 +179,13 @@ def _check_obj(path: Path) -> None:
         forms = {_check_corner(path, corner, whole, so_far) for corner in corners}
         if len(forms) > 1 or not forms:
             raise OSError(
-                f"{path} cannot be read: a polygon has no corners, or corners of different form; "
-                "correct it."
+                f"{path} cannot be read: a polygon has no corners, or corners of different forms "
+                "(v, v/vt, v//vn); correct it."
             )
 
 
 def _add_vertices(path: Path, data: Any) -> None:
-    """Adds the vertex colours of an .obj, `v x y z r g b`; if floats are too coarse, all digits."""
+    """Adds the vertex colours of an .obj (v x y z r g b), and digits beyond floats if needed."""
     data.GetCellData().RemoveArray("GroupIds")
     rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
     if data.GetNumberOfPoints() == 0:
@@ -194,7 +194,9 @@ def _add_vertices(path: Path, data: Any) -> None:
         places = numpy.array([cells[:3] for cells in rows], dtype=float)
         shades = numpy.array([cells[3:] for cells in rows if len(cells) == 6], dtype=float)
     except ValueError as error:
-        raise OSError(f"{path} cannot be read: a coordinate is no number; correct it.") from error
+        raise OSError(
+            f"{path} cannot be read: a coordinate or colour is no number; correct it."
+        ) from error
     points = vtk_to_numpy(data.GetPoints().GetData())
     are_alike = len(points) == len(places) and numpy.allclose(points, places, rtol=1e-6, atol=0)
     if len(shades) == len(rows):
@@ -207,7 +209,7 @@ def _add_vertices(path: Path, data: Any) -> None:
 
 
 def _vertices_of(points: Any, places: Any) -> Any:
-    """Returns the vertex of each point; VTK repeats vertices that have several normals."""
+    """Returns the vertex index of each point; VTK repeats vertices that have several normals."""
     both = numpy.concatenate([places.astype(points.dtype), points])
     _, first, numbers = numpy.unique(both, axis=0, return_index=True, return_inverse=True)
     return first[numbers.reshape(-1)[len(places) :]]
@@ -223,7 +225,7 @@ def _rows(path: Path) -> Iterator[list[bytes]]:
 def _check_corner(
     path: Path, corner: bytes, whole: tuple[int, ...], so_far: tuple[int, ...]
 ) -> tuple[bool, ...]:
-    """Returns the parts of a corner (vertex, texture, normal); raises OSError if damaged."""
+    """Returns flags of a corner's parts (vertex, texture, normal); raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
         raise OSError(f"{path} cannot be read: a corner has no vertex number; correct it.")

@@ -135,7 +135,7 @@ class Films(CommandTest):
         wide = numpy.stack([numpy.arange(125) + 2**40 * step for step in range(4)])
         numpy.savez("w.npz", positions=points, code=wide)
         said = self.fail_with(1, "skin", "w.npz", *COMMON, "--pass-target-arrays", "-o", "w.usdc")
-        self.assertIn("w.usdc: code needs 64 bits, but has 32 in earlier frames", said)
+        self.assertIn("w.usdc: array code needs 64-bit integers, but has 32-bit ones", said)
 
     def test_what_cannot_be(self):
         with mock.patch.dict(sys.modules, {"pxr": None}):
