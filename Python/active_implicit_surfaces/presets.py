@@ -97,7 +97,7 @@ def is_point_cloud(data: Any) -> bool:
 def series_spacing(frames: list[Any]) -> float:
     """Returns the least positive spacing of a frame; 0 if no frame has one.
 
-    Frames with less than a tenth of the most particles, as spray before a splash, are ignored.
+    Frames with less than a tenth of the largest number of particles, as early spray, are ignored.
     """
     clouds = [frame for frame in frames if is_point_cloud(frame)]
     most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)
