@@ -3,6 +3,7 @@
 #include "NarrowBandGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -166,6 +167,12 @@ SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
     std::copy_n(origin->value().asPointer(), 3, state.Origin.begin());
   }
   state.Time = ReadMetadata<double>(grid, TimeName);
+  const std::array<double, 4> numbers = { state.Time, state.Origin[0], state.Origin[1],
+    state.Origin[2] };
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); }))
+  {
+    throw std::runtime_error("its time or origin is damaged");
+  }
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
   ReadOutside(grid, state.History);
   state.Spacing = ReadLength(grid, SpacingName);

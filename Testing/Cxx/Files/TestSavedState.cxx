@@ -79,6 +79,21 @@ TEST(TestSavedState, AnEstimatedSpacingComesBack)
   EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged"));
 }
 
+TEST(TestSavedState, ATimeOrOriginThatIsNotFiniteIsDamage)
+{
+  const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));
+  StartOn(*band, MakeBall(CentreA, 0.4));
+  const SavedState state{ band, { 1.0, 2.0, 3.0 }, 0.5, {} };
+  const auto isRefused = [&](const char* name, const openvdb::Metadata& bad)
+  {
+    const openvdb::FloatGrid::Ptr grid = MakeSavedGrid(state);
+    grid->insertMeta(name, bad);
+    return Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "time or origin is damaged");
+  };
+  EXPECT_TRUE(isRefused("active_pipeline_time", openvdb::DoubleMetadata(std::nan(""))));
+  EXPECT_TRUE(isRefused("active_origin", openvdb::Vec3DMetadata({ 0.0, HUGE_VAL, 0.0 })));
+}
+
 TEST(TestSavedState, AnyOtherGridIsRefused)
 {
   EXPECT_TRUE(Throws<std::runtime_error>([] { ReadSavedGrid(*openvdb::FloatGrid::create()); }, ""));
