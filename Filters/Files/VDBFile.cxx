@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <map>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -322,6 +323,10 @@ VDBFile ValidateVDB(const std::string& file, bool trees)
   {
     return FileValidator(file, trees).Run();
   }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
   catch (const std::exception& error)
   {
     throw std::runtime_error("The file " + file + " cannot be read: " + error.what() + ".");
@@ -345,6 +350,10 @@ openvdb::GridBase::Ptr ReadVDBGrid(
     OpenAtOnce(in);
     return box && grid.CanBeClipped ? in.readGrid(grid.UniqueName, *box)
                                     : in.readGrid(grid.UniqueName);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {

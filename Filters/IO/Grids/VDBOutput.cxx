@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <stdexcept>
 
 namespace activesurface
@@ -64,6 +65,10 @@ void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
     out.close();
     ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not report a full disk
     replacement.Finish();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {
