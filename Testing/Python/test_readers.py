@@ -270,7 +270,7 @@ class Molecules(ReaderTest):
         for words, head in (
             ("no positions", "species:S:1"),
             ("line 3 has 4", "a:R:2:pos:R:3"),
-            ("column pos has a value that is not a number", "pos:R:3"),
+            ("column pos has a value of a wrong type", "pos:R:3"),
         ):
             path = self.put("a.xyz", f"1\nProperties={head}\nO 1 2 3\n")
             self.assert_refused(words, path)
