@@ -15,23 +15,22 @@
  * TargetNoise reduces. kappa is the sum of the principal curvatures, n the outward normal, v the
  * velocity of the target's particles. A and V are the skin's area and volume; A0 and V0 are
  * TargetArea and TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
+ * Without explicit substeps (TimeIntegration), masks are smoothed instead.
  *
  * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
  * the automatic value of some properties; Get...InUse returns the value in use.
  *
  * @par Input 0 (optional): target
  * - No input: TargetFunction is the target.
- * - Particles: a vtkPointSet without cells or with vertices. All finite points are used.
- *   ParticleSpacing, the main property, is 2 r, where r is the own radius of particles without an
- *   array of radii. Automatic values of KernelRadius, VoxelSize (r) and TargetReach (6 r) follow.
+ * - Particles: a vtkPointSet without cells or with vertices. ParticleSpacing is the main property.
  * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
  * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with radii and strengths.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
- *   the signed distance to the mesh, from a vtkGridPotential.
+ *   the signed distance to the mesh.
  * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (with InvertTarget,
- *   above), and within the image's box. Masks (two values): see TargetIsoValue and TargetNoise.
+ *   above). Masks (two values): see TargetIsoValue and TargetNoise.
  *
  * @par Input 1 (optional): start, the shape at the first time
  * - No input: InitialFunction, else the target, is the shape.
@@ -48,12 +47,11 @@
  *
  * @par Target with time steps, all of one kind
  * - Particles move in straight lines from step to step. Ids match the particles of two steps;
- *   particles of equal ids are matched in order of position. Without ids, indices match if both
- *   steps have equally many points; if reordered (noticed for 100 points or more), none match. A
- *   particle without a match fades out: its strength falls linearly to 0. A new particle fades in.
+ *   without ids, indices match if both steps have equally many points. Between two steps, a
+ *   particle without a match fades out or in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
  *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
- * - At a step without points or mesh cells there is no target: the skin shrinks and vanishes.
+ * - At a step without points or mesh cells there is no target: the skin shrinks or vanishes.
  *
  * @par Output 0: skin, a closed vtkPolyData of outward triangles (on several ranks, a part each)
  *   | Point array   | Unit        | Meaning                          |
@@ -67,7 +65,7 @@
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
  * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
- *   unset, it may be empty before the first update, if there are several ranks or no consumer.
+ *   unset, the extent may be empty before the first update.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far (EQUILIBRIUM: start and end)
  *   | Column              | Unit          | Meaning                           |
@@ -83,12 +81,10 @@
  *   | Outside             | 1             | fraction of the target            |
  *   | Event               |               | changes, joined by ", "           |
  *
- * - Outside: fraction of the target outside the skin, 0 to 1. Particles and points of skeletons, of
- *   strength > 0, count if outside by more than their own radius. Over other targets, points spread
- *   over the inside (of a function, or with InvertTarget: within ModelBounds) count if more than a
- *   voxel outside. A fraction of 1 % has a standard error of at most 0.16 % if the target fills at
- *   least 1/16 of its box. Points beyond walls or in the obstacle are ignored. A value above 1 %,
- *   not below the previous row's, can cause one warning.
+ * - Outside: fraction of the target outside the skin, 0 to 1, without the target beyond walls or in
+ *   the obstacle. Particles and points of skeletons count if outside by more than their own radius.
+ *   Over other targets, sampled points of the inside count if more than a voxel outside. A value
+ *   above 1 % can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -101,14 +97,13 @@
  *   the last checkpoint up to that time (CheckpointInterval) or the start.
  * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
- * - The motion restarts when target, initial shape, obstacle or a property of the motion changes,
- *   and when data without time steps replace other data. If the input gets more steps, the motion
- *   continues: the last step is read again (if changed, the motion restarts), then new steps.
+ * - The motion restarts when target, initial shape, obstacle or a property of the motion changes.
+ *   If the input only gets more time steps, the motion continues.
  * - If the input provides each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are
  *   the requested times. Advance adds single frames.
  *
  * @par Reproducibility
- * - The result is bitwise identical for the same time, inputs and properties, for any order of
+ * - The skin is bitwise identical for the same time, inputs and properties, for any order of
  *   requests and any number of threads and ranks.
  * - On one process, piece 0 of several pieces has the whole skin and history; the image is split.
  *
