@@ -153,19 +153,17 @@ public:
 
   ///@{
   /** Shape of the skin at the first time, negative inside. A shape that reaches ModelBounds is
-   * closed there, within a voxel. Not together with input port 1. Default: none, the skin starts on
-   * the input of port 1, or else on the target at the first time. */
+   * closed there. An error together with an input of port 1. Default: none, the skin starts on the
+   * input of port 1, or else on the target. */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
   ///@}
 
   ///@{
-  /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
-   * wall (a large box minus the container's inside, by vtkImplicitBoolean). The skin ends on the
-   * obstacle, closed, whatever moves the skin. F / |grad F| of the obstacle is sampled once at each
-   * lattice node that comes near the skin. Obstacles thinner than two voxels leak. A change of the
-   * obstacle or of its transform restarts the motion. A saved state does not contain the obstacle:
-   * set it again. Threads as for TargetFunction. Default: none. */
+  /** Obstacle that the skin may not enter, negative inside: a rock (vtkSphere), or a tank (negative
+   * outside of the tank's inside). The skin is closed along the obstacle. Obstacles thinner than
+   * two voxels leak. A change of the obstacle restarts the motion. A saved state does not contain
+   * the obstacle: set the obstacle again. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}
@@ -180,7 +178,8 @@ public:
 
   ///@{
   /** Makes values above TargetIsoValue the inside, also for an image at input port 1. Turn on for
-   * densities. Masks and fractions at TargetIsoValue 0 keep their inside. Default: off. */
+   * densities. Masks and fractions of volume at TargetIsoValue 0 keep their inside. Default:
+   * off. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
@@ -188,8 +187,7 @@ public:
 
   ///@{
   /** Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
-   * F - TargetIsoValue. Attraction is then a rate for any scale of F; where F is flat, the speed is
-   * constant. Off: the speed varies with F; steep targets need many substeps. Default: on. */
+   * F - TargetIsoValue. Off: the speed depends on the scale of F. Default: on. */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
   vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
@@ -197,8 +195,9 @@ public:
 
   ///@{
   /** Distance [length] from the target beyond which the attraction has a constant speed, Attraction
-   * * TargetReach. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3 ParticleSpacing if the
-   * automatic VoxelSize uses ParticleSpacing, else 1/8 of ModelBounds' diagonal. Default: -1. */
+   * * TargetReach, in explicit substeps. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3
+   * ParticleSpacing if the automatic VoxelSize uses ParticleSpacing, else 1/8 of ModelBounds'
+   * diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -206,7 +205,7 @@ public:
   ///@{
   /** Thickness [length] of the shell that an input mesh with open edges becomes. A closed mesh
    * stays a solid. A shell below about two voxels has holes. Range: >= 0, at most 1e30. Default: 0,
-   * no shell: holes are closed from rim to rim, by winding numbers, with a warning. */
+   * no shell: openings are closed, with a warning. */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);
   ///@}
@@ -220,11 +219,11 @@ public:
   };
 
   ///@{
-  /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): the paper's sum of
-   * ParticleKernel at ParticleThreshold; bumpy, and with the defaults more than half a spacing too
-   * wide. ANISOTROPIC (1): ellipsoids fitted to the neighbours. A body of particles has a flat
-   * surface and the particles' volume; an isolated particle is a ball of one spacing's diameter.
-   * Lines of a skeleton are always a SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
+  /** Model of the surface of particles. SUM (0): the paper's sum of ParticleKernel at
+   * ParticleThreshold; bumpy, and by default wider than the particles. ANISOTROPIC (1): ellipsoids
+   * fitted to the neighbours; a body of particles has a flat surface, and an isolated particle
+   * without radii is a ball of one spacing's diameter. Lines of a skeleton are always a SUM.
+   * Default: ANISOTROPIC. */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
@@ -233,11 +232,9 @@ public:
 
   ///@{
   /** Usual distance of neighbouring particles [length]: the side of the cube that a particle fills.
-   * Range: 1e-30 to 1e30, or -1, automatic: the median distance to the third nearest particle, with
-   * an array of radii at most the median diameter. A warning reports the spacing if neither
-   * KernelRadius nor radii are given. The estimate is the least of the first, middle and last step;
-   * a step with less than a tenth of the particles of another is left out. With Advance, or if the
-   * input cannot go back in time, only the first step with particles counts. Default: -1. */
+   * Set ParticleSpacing for particles without radii. Range: 1e-30 to 1e30, or -1, automatic:
+   * estimated from the distances of near particles, with a warning if neither KernelRadius nor
+   * radii are given. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -245,9 +242,8 @@ public:
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
    * smoother and slower. A chosen array of radii replaces KernelRadius: an isolated particle or
-   * line becomes a ball or tube of the array's radius. The kernel ends at 4.5 times this radius;
-   * ParticleKernel and ParticleThreshold set this factor for SUM and lines. Range: 1e-30 to 1e30,
-   * or -1, automatic: 2 (SUM, lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+   * line becomes a ball or tube of the array's radius. Range: 1e-30 to 1e30, or -1, automatic: 2
+   * (SUM, lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
@@ -267,9 +263,9 @@ public:
   };
 
   ///@{
-  /** Decrease of a particle's influence with distance, with SUM, from vtkSkeletonPotential: WYVILL
-   * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). The kernel also
-   * applies to skeletons, and weights the arrays of PassTargetArrays. Default: WYVILL. */
+  /** Kernel of SUM and of skeletons: WYVILL (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of
+   * SPH; METABALL (2). With all models, the kernel also weights the arrays of PassTargetArrays and
+   * TangentialVelocity. Default: WYVILL. */
   vtkSetClampMacro(ParticleKernel, int, WYVILL, METABALL);
   vtkGetMacro(ParticleKernel, int);
   void SetParticleKernelToWyvill() { this->SetParticleKernel(WYVILL); }
@@ -279,18 +275,16 @@ public:
 
   ///@{
   /** Level [1] of the particles' summed influence at which SUM places the surface. Lower values
-   * give thicker bodies. An isolated particle of strength 1 has an influence of 1 at its centre.
-   * Also the level of a skeleton. Range: > 0; below 0, all space would be inside. Default: 0.5. */
+   * give thicker bodies. Also the level of a skeleton. Range: > 0. Default: 0.5. */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
   ///@}
 
   ///@{
   /** Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a
-   * simulation of molecules. A particle outside the box counts at its periodic image in the box.
-   * Between two time steps a particle moves on the shortest path. The skin is closed at the box's
-   * periodic sides, which must be at least four voxels apart. Range: finite; an axis with min >=
-   * max is not periodic. Default: (1, -1, 1, -1, 1, -1), no axis. */
+   * simulation of molecules. The skin is closed at the box's periodic sides. An error with
+   * VolumeControl or AreaControl. Range: finite; an axis with min >= max is not periodic. Default:
+   * (1, -1, 1, -1, 1, -1), no axis. */
   vtkSetVector6Macro(PeriodicBounds, double);
   vtkGetVector6Macro(PeriodicBounds, double);
   ///@}
@@ -308,19 +302,18 @@ public:
   ///@}
 
   ///@{
-  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
-   * which the potential's image covers. The skin may leave the box later. Range: finite, min < max
-   * on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's
-   * target and of the initial shape, enlarged at each end by an eighth of its longest side, images
-   * by two voxels. Of functions, only vtkSkeletonPotential and vtkGridPotential have a box. */
+  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] that the potential's image covers. Functions
+   * and meshes start with their part in this box; the skin may leave the box later. Set ModelBounds
+   * for functions other than vtkSkeletonPotential and vtkGridPotential. Range: finite, min < max on
+   * each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's target
+   * and of the initial shape, with a margin. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
 
   ///@{
   /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, where the
-   * skin is closed. Over particles, except in explicit substeps, a skin within ParticleSpacing / 2
-   * of a face lies flat on the face. Range: on or off. Default: off. */
+   * skin is closed. Turn on for water in a box. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
