@@ -294,9 +294,8 @@ public:
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
    * the memory, 2 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
-   * 1e30, or -1, automatic: ParticleSpacing / 2 if set (not for functions in ModelBounds) or
-   * estimated (without SUM and ModelBounds); else S / 64, where S is ModelBounds' longest side.
-   * Images without ModelBounds: pixel's side if smaller, at least about S / 1000. Default: -1. */
+   * 1e30, or -1, automatic: half of ParticleSpacing if set for an input; otherwise from the
+   * estimated spacing, the pixels or the bounds (PARAMETERS.md). Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
