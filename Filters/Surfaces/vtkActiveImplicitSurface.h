@@ -321,70 +321,61 @@ public:
   // @name Motion
 
   ///@{
-  /** Rate [1/time] of approach to the target: well beyond TargetNoise, up to TargetReach, the
-   * distance falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget:
-   * [length/time] per unit of the target. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval
-   * of time steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
+  /** Rate [1/time] of approach to the target: without TargetNoise and Tension, a small distance
+   * falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time] per
+   * unit of the target. Over moving particles, less than 2 / (TimeScale * interval of time steps)
+   * causes explicit substeps. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time
+   * steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
 
   ///@{
   /** Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures)
-   * to the speed. Tension smooths the skin, and shrinks small parts. A ball without a target has
-   * radius sqrt(r0^2 - 4 * Tension * t). If F is the distance to a ball of radius R, the skin keeps
-   * the radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), and vanishes if R < 2.83 sqrt(Tension
-   * / Attraction). If |F| / |grad F| exceeds the distance inside, smaller balls remain: over
-   * particles 2.83 becomes about 2.4; over a vtkSphere (F = r^2 - R^2) the radius is sqrt(R^2 - 4 *
-   * Tension / Attraction). Explicit motion needs at least 4 * Tension * time / VoxelSize^2
-   * substeps. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r,
-   * Attraction * p^2 / 5 over masks of shortest pixel side p; else 0; also 0 with PaperScheme or
-   * explicit substeps, and over particles with SUM or TensionWeighting off. Default: -1. */
+   * to the speed. Tension smooths the skin, and shrinks small parts: in a target of distances, such
+   * as a mesh, balls with a radius below 2.83 sqrt(Tension / Attraction) vanish. The number of
+   * explicit substeps rises with Tension / VoxelSize^2. Range: >= 0, or -1, automatic: Attraction *
+   * r^2 / 2 over particles of spacing 2 r (SUM, or TensionWeighting off: 0), Attraction * p^2 / 5
+   * over masks of shortest pixel side p; 0 for other targets and in explicit substeps. Default:
+   * -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
 
   ///@{
-  /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
-   * particle or a thread of few particles: drops keep their size. The weight rises with the density
-   * of neighbours within 3.6 spacings, from 0 at 0.3 per spacing^3 (one layer: 0.28) to 1 at 0.8.
-   * No effect on other targets, in explicit substeps and with PaperScheme. Default: on. */
+  /** Reduces Tension to 0 for isolated particles and thin threads, so that drops keep their size.
+   * Off: Tension acts everywhere, and the automatic Tension over particles is 0. No effect on other
+   * targets, in explicit substeps and with PaperScheme. Default: on. */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
   vtkBooleanMacro(TensionWeighting, vtkTypeBool);
   ///@}
 
   ///@{
-  /** Amplitude [length] of noise in the target's surface. Well within this distance of the target
-   * the skin follows slowly, at 3 % of Attraction or less. Farther away the rate rises; in a body
-   * of particles the rate is half of Attraction at 1.5 times this distance. Over masks the rate is
-   * 0 within this distance. Transport moves the skin of a body only if its particles move together:
-   * velocities within the error of their mean are ignored. Drops and threads are not affected. The
-   * skin of a fluid in a steady state is smooth, does not move, and is at most about this distance
-   * from the target. Needs NormalizeTarget. Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over
-   * particles of spacing 2 r, 0.47 of a pixel's shortest side over masks; else 0; also 0 in
-   * explicit substeps, and over particles with SUM. Default: -1. */
+  /** Amplitude [length] of noise in the target's surface: within about this distance of the target
+   * the skin follows slowly. The skin of still water then does not flicker. Over masks, smoothing
+   * moves the skin by at most this distance along a pixel's shortest side. Needs NormalizeTarget.
+   * Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r (SUM: 0), 0.47
+   * of a pixel's shortest side over masks; 0 for other targets and in explicit substeps. Default:
+   * -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
 
   ///@{
-  /** Fraction [1] of the particles' own velocity that carries the skin: adds Transport * (v . n) to
-   * the speed. v is the mean velocity of nearby particles, from their motion to the next time step.
-   * With 1 the skin does not lag behind moving particles. No effect on other targets, in explicit
-   * substeps and with PaperScheme. Range: 0 to 1. Default: 1. */
+  /** Fraction [1] of the particles' own velocity that carries the skin. With 1 the skin does not
+   * lag behind moving particles. No effect on other targets, in explicit substeps and with
+   * PaperScheme. Range: 0 to 1. Default: 1. */
   vtkSetClampMacro(Transport, double, 0.0, 1.0);
   vtkGetMacro(Transport, double);
   ///@}
 
   ///@{
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
-   * between disjoint shapes. A new part has at once its size in the target. Voids of only the
-   * target, deep inside the skin, are created, too. Over a mesh, an image or a vtkGridPotential,
-   * such a part or void is connected, and the skin does not meet it; over particles, the skin does
-   * not reach the part by itself. Voids, and parts of meshes and images, that Tension would remove
-   * are not created. Off: no part appears apart from the previous skin. No effect on skeletons and
-   * other functions (except with ArrivalTime), and with PaperScheme. Default: on. */
+   * between disjoint shapes. A new part has its size in the target at once, or with ArrivalTime
+   * grows from a core. Off: no part appears apart from the previous skin. No effect with
+   * PaperScheme. Without ArrivalTime, no effect on skeletons, and on functions other than
+   * vtkGridPotential. Default: on. */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
   vtkBooleanMacro(CreateParts, vtkTypeBool);
@@ -398,9 +389,9 @@ public:
 
   ///@{
   /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
-   * steps. EQUILIBRIUM (1): no time steps are published; each update moves the skin to a steady
-   * state on the first step's target. The motion ends by RestTolerance, or with a warning by
-   * MaximumNumberOfSubsteps; the history records which. Default: TRANSIENT. */
+   * steps. EQUILIBRIUM (1): an update moves the skin to a steady state on the first step's target;
+   * no time steps are published. The motion ends by RestTolerance, or with a warning by
+   * MaximumNumberOfSubsteps. Default: TRANSIENT. */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
   vtkGetMacro(EvolutionMode, int);
   void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
@@ -409,14 +400,14 @@ public:
 
   ///@{
   /** Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Above 0,
-   * the motion also ends if only an oscillation remains; a warning reports oscillation of more than
-   * 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001. */
+   * the motion also ends if only an oscillation remains. Range: >= 0. Default: 0.001. */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);
   ///@}
 
   ///@{
-  /** Largest number of substeps of a motion (EQUILIBRIUM). Range: >= 0. Default: 10000. */
+  /** Largest number of substeps of a motion to a steady state (EQUILIBRIUM). Range: >= 0. Default:
+   * 10000. */
   vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfSubsteps, int);
   ///@}
@@ -429,13 +420,10 @@ public:
 
   ///@{
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
-   * moving particles and masks have one step per time step, which evaluates the target once, at
-   * nodes near the target's surface; static ones without an initial shape do not move; else
-   * EXPLICIT. Particles and masks also use EXPLICIT with EQUILIBRIUM or PaperScheme, masks with an
-   * initial shape or TargetNoise 0, and both, with a warning if particles move, for: Attraction *
-   * TimeScale * time step < 2, PENALTY controls, InvertTarget, TargetIsoValue other than 0 (SUM: >=
-   * ParticleThreshold), CreateParts or NormalizeTarget off, TargetEvaluation not SHIFTED,
-   * GradientScheme CENTRAL. Default: AUTOMATIC. */
+   * moving particles and masks have one step per time step, static particles and masks without an
+   * initial shape do not move, all else uses EXPLICIT. Particles and masks also use EXPLICIT with
+   * PaperScheme, EQUILIBRIUM, a low Attraction and other settings; PARAMETERS.md lists all.
+   * Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -443,8 +431,9 @@ public:
   ///@}
 
   ///@{
-  /** Fraction [1] of the stable time step that a substep uses. Smaller values are more accurate in
-   * time, and need 1 / CFL times as many explicit substeps as 1. Range: 1e-6 to 1. Default: 1. */
+  /** Fraction [1] of the stable time step that an explicit substep uses. Smaller values are more
+   * accurate in time, and need about 1 / CFL times as many substeps as 1. Range: 1e-6 to 1.
+   * Default: 1. */
   vtkSetMacro(CFL, double);
   vtkGetMacro(CFL, double);
   ///@}
@@ -457,10 +446,10 @@ public:
   };
 
   ///@{
-  /** Points at which the target is evaluated for a node's speed. SHIFTED (0): the crossings of the
-   * node's edges with the skin (paper, section 4.3), extended to other nodes. NODE (1): the node
-   * itself; the skin freezes into a staircase (paper, Figs. 2 and 3). CLOSEST_POINT (2): the skin's
-   * closest point, as smooth as SHIFTED at four times the evaluations. Default: SHIFTED. */
+  /** Points at which the target is evaluated for a node's speed, in explicit substeps. SHIFTED (0):
+   * the crossings of the node's edges with the skin (paper, section 4.3), extended to other nodes.
+   * NODE (1): the node itself; the skin freezes into a staircase (paper, Figs. 2 and 3).
+   * CLOSEST_POINT (2): the skin's closest point, slower than SHIFTED. Default: SHIFTED. */
   vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
   vtkGetMacro(TargetEvaluation, int);
   void SetTargetEvaluationToShifted() { this->SetTargetEvaluation(SHIFTED); }
@@ -485,9 +474,8 @@ public:
 
   ///@{
   /** Moves the skin by the paper's scheme, for comparison: slower and less accurate. The potential
-   * is clamped to +-3 voxels. With TargetEvaluation SHIFTED, the target at a node is the mean
-   * of F at its crossings, or F at a node without crossings. Differences are central; time steps
-   * are by eq. (6) and (7), where the longest side of ModelBounds is 1. Default: off. */
+   * is clamped to +-3 voxels, differences are central, and time steps are by eq. (6) and (7), where
+   * the longest side of ModelBounds is 1. Default: off. */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);
   vtkBooleanMacro(PaperScheme, vtkTypeBool);
