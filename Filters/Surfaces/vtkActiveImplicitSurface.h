@@ -491,12 +491,10 @@ public:
   };
 
   ///@{
-  /** Control of the volume of the skin (paper, section 5.2). NONE (0): none, but AUTOMATIC
-   * integration keeps masks' volume unless BoundedDomain, AreaControl or an obstacle is set.
-   * PENALTY (1): a speed in proportion to the missing fraction e. In a ball of radius r0 without a
-   * target e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0); the ball collapses if
-   * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
-   * restores the volume to a relative 1e-6 (splits: 1e-5), at 3 times the cost. Default: NONE. */
+  /** Control of the volume of the skin (paper, section 5.2). NONE (0): none; for smoothed masks see
+   * inputs.md. PENALTY (1): a speed of VolumeStiffness times the missing fraction of the volume.
+   * EXACT (2): after each step or substep a uniform displacement restores the volume. Default:
+   * NONE. */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
   void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
@@ -505,24 +503,23 @@ public:
   ///@}
 
   ///@{
-  /** Speed [length/time] per missing fraction of the volume, with VolumeControl PENALTY. There are
-   * at least VolumeStiffness * time * area / volume substeps. Range: >= 0. Default: 1. */
+  /** Speed [length/time] per missing fraction of the volume, with VolumeControl PENALTY. Larger
+   * values need more substeps. Without a target, a ball of radius r0 collapses if VolumeStiffness *
+   * r0 < 4.233 Tension. Range: >= 0. Default: 1. */
   vtkSetClampMacro(VolumeStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VolumeStiffness, double);
   ///@}
 
   ///@{
-  /** Volume [length^3] that VolumeControl aims at; EXACT holds it from the first frame on. Range:
-   * >= 0; 0 is the volume at the start. Default: 0. */
+  /** Volume [length^3] that VolumeControl aims at; with EXACT, the first frame has this volume,
+   * too. Range: >= 0; 0 is the volume at the start. Default: 0. */
   vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetVolume, double);
   ///@}
 
   ///@{
   /** Control of the skin's area (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as with
-   * VolumeControl. With PENALTY, a ball of radius r0 without a target lacks a fraction e: e (1 -
-   * e)^(1/2) = 2 Tension / (AreaStiffness r0); the ball collapses if AreaStiffness * r0 < 5.196
-   * Tension. EXACT is an error with VolumeControl EXACT. Default: NONE. */
+   * VolumeControl. EXACT is an error with VolumeControl EXACT. Default: NONE. */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);
   void SetAreaControlToNone() { this->SetAreaControl(NONE); }
@@ -531,14 +528,16 @@ public:
   ///@}
 
   ///@{
-  /** Speed [length/time] per missing fraction of area (PENALTY). Range: >= 0. Default: 1. */
+  /** Speed [length/time] per missing fraction of the area, with AreaControl PENALTY. Larger values
+   * need more substeps. Without a target, a ball of radius r0 collapses if AreaStiffness * r0 <
+   * 5.196 Tension. Range: >= 0. Default: 1. */
   vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AreaStiffness, double);
   ///@}
 
   ///@{
-  /** Area [length^2] that AreaControl aims at; EXACT holds it from the first frame on. Range: >= 0;
-   * 0 is the area at the start. Default: 0. */
+  /** Area [length^2] that AreaControl aims at; with EXACT, the first frame has this area, too.
+   * Range: >= 0; 0 is the area at the start. Default: 0. */
   vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetArea, double);
   ///@}
@@ -553,18 +552,17 @@ public:
   ///@}
 
   ///@{
-  /** Time at which the skin coincides with a static target [pipeline time after the first time
-   * step], to 0.1 voxel if F is a distance near the target. Each point moves at constant speed;
-   * thin limbs grow along their length. Parts only in the target grow from a core (with
-   * CreateParts); parts only in the initial shape shrink. Later, Attraction keeps the skin there.
-   * Ignored with EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: no arrival. Default: 0. */
+  /** Time at which the skin reaches a static target [pipeline time after the first time step], to
+   * about 0.1 voxel: for morphs. Thin limbs grow along their length; with CreateParts, separate
+   * parts grow from a core. Needs NormalizeTarget. Ignored with EQUILIBRIUM. Range: >= 0; 0: no
+   * arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
 
   ///@{
-  /** First time step [pipeline time] if the input has at most one, and of Advance. Equal
-   * consecutive time steps of the input count as one. Range: finite. Default: 0. */
+  /** First time step [pipeline time] if the input has at most one, and time of the first frame of
+   * Advance. Range: finite. Default: 0. */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
@@ -592,41 +590,37 @@ public:
   ///@}
 
   ///@{
-  /** Adds the point array "Velocity" [length/time]: the normal velocity by the equation of motion
-   * and, over particles, the particles' velocity along the skin (TangentialVelocity). Valid through
-   * splits and merges. Evaluates the target once. Does not restart the motion. Default: off. */
+  /** Adds the point array "Velocity" [length/time] to the skin: the normal velocity and, with
+   * TangentialVelocity, the particles' velocity along the skin. Valid through splits and merges.
+   * Does not restart the motion. Default: off. */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
   vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
   ///@}
 
   ///@{
-  /** Adds the tangential component to "Velocity", so that the array is the skin's whole motion, as
-   * motion blur needs. The component is the particles' velocity, averaged with the kernels'
-   * weights. Velocities are from the array that SetInputArrayToProcess(5, ...) chooses, else from
-   * the displacement since the previous step (at the first step and between steps, to the next).
-   * Particles with neither are ignored. The component is 0 if no particle has a velocity, and for
-   * other targets. Off: only the normal velocity. Does not restart the motion. Default: on. */
+  /** Adds the particles' mean velocity along the skin to "Velocity", as motion blur needs.
+   * Particles' velocities are from the array that SetInputArrayToProcess(5, ...) chooses, else from
+   * displacements between time steps. Off: only the normal velocity. Does not restart the motion.
+   * Default: on. */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);
   vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
   ///@}
 
   ///@{
-  /** Largest length [length/time] of the vectors of "Velocity". Longer vectors are shortened, the
-   * normal component first. Skin that catches up, as where parts merge, moves at up to Attraction *
-   * TargetReach and blurs into streaks. Range: >= 0; 0 is the largest speed of a particle since the
-   * previous step (at the first step and between steps, to the next): (displacement + change of
-   * radius) / time, or with TangentialVelocity the array's velocity (index 5) if that is larger; no
-   * limit if no particle moves, or for other targets. Does not restart the motion. Default: 0. */
+  /** Largest length [length/time] of the vectors of "Velocity"; longer vectors are shortened.
+   * Prevents streaks of motion blur where parts merge. Range: >= 0; 0 is about the speed of the
+   * fastest particle, or no limit without moving particles. Does not restart the motion. Default:
+   * 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
 
   ///@{
   /** Adds the point array "MeanCurvature" [1/length] to the skin: the sum of the principal
-   * curvatures. The sum is 2/r on a ball of radius r, negative where the skin is concave, and
-   * clamped to +-4 per voxel. Does not restart the motion. Default: off. */
+   * curvatures, 2/r on a ball of radius r, clamped to +-4 per voxel. Does not restart the motion.
+   * Default: off. */
   vtkSetMacro(ComputeCurvature, vtkTypeBool);
   vtkGetMacro(ComputeCurvature, vtkTypeBool);
   vtkBooleanMacro(ComputeCurvature, vtkTypeBool);
@@ -634,11 +628,10 @@ public:
 
   ///@{
   /** Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
-   * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
-   * Other arrays, such as ids and names, have the value of the particle of the largest weight.
-   * Points outside all kernels use the nearest particle. Averages are linear between two steps.
-   * Omitted are ghost levels, and arrays that have a name of the skin's own arrays, lack a value
-   * for a point, or differ in type between steps. Does not restart the motion. Default: off. */
+   * (unsigned char, 3 or 4 components) are averaged with the kernels' weights. Other arrays, such
+   * as ids and names, have the value of the particle of the largest weight. Ghost levels, and
+   * arrays with a name of the skin's own arrays, are omitted. Does not restart the motion. Default:
+   * off. */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);
   vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
@@ -646,8 +639,8 @@ public:
 
   ///@{
   /** Computes the potential's image, output port 1, with each skin, so that GetPotential() returns
-   * this image after Update(). Update(1) always computes the image. The image needs 4 bytes for
-   * each lattice node in ModelBounds. Does not restart the motion. Default: off. */
+   * this image after Update(). The image needs 4 bytes for each lattice node in ModelBounds. Does
+   * not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
@@ -672,8 +665,7 @@ public:
 
   ///@{
   /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 * (d
-   * / VoxelSize)^2 active voxels. Distances to a mesh that need more than ten times as many voxels
-   * are an error, too. Does not restart the motion. Range: >= 1. Default: 50000000. */
+   * / VoxelSize)^2 active voxels. Does not restart the motion. Range: >= 1. Default: 50000000. */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
   ///@}
@@ -697,23 +689,21 @@ public:
 
   ///@{
   /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
-   * step up to the time of the last update. LoadState loads a state into a filter with the same
-   * properties and inputs. From the state's time on, the motion then continues bitwise identically.
-   * With Advance, the first frame after LoadState is that of the saved time. Both functions return
-   * false, with an error, if there is no state (EQUILIBRIUM), or reading or writing fails. */
+   * step up to the time of the last update; with EQUILIBRIUM there is no state. LoadState loads a
+   * state into a filter with the same properties and inputs: from the state's time on, the motion
+   * continues bitwise identically. With Advance, the first frame after LoadState is that of the
+   * saved time. Both functions return false, with an error, on failure. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
 
-  /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
-   * last one. Over particles of set ParticleSpacing, the result is bitwise that of the complete
-   * series, except velocities, which do not use the next frame. The frame becomes the input of port
-   * 0, and may be the same object with new contents. The first frame is at StartTime, or at the
-   * time of a loaded state; its dt has no effect. GetOutput() is at the newest frame, whatever time
-   * is requested. A restart by a changed property begins at the newest frame, which keeps its time.
-   * Returns false, with an error, for a rejected frame; the motion is unchanged. Also returns false
-   * if the motion to the frame stops before its end (abort, MaximumNumberOfActiveVoxels). The frame
-   * is then kept: Update() or the next frame resumes. Range of dt: > 0, finite. */
+  /** Moves the skin to the next frame, dt [pipeline time] after the last frame, in a simulation's
+   * own loop. The frame becomes the input of port 0, and may be the same object with new contents.
+   * The first frame is at StartTime, or at the time of a loaded state; the first dt has no effect.
+   * A changed property restarts the motion at the newest frame. Returns false, with an error, for a
+   * rejected frame, which does not change the skin. Also returns false if the motion to the frame
+   * stops before the end (abort, MaximumNumberOfActiveVoxels): Update() or the next frame resumes.
+   * Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
   /** The next update restarts the motion (Advance: at StartTime). Drops a loaded state. */
@@ -743,18 +733,17 @@ public:
   /** The skin. */
   vtkPolyData* GetOutput();
 
-  /** The potential's image; empty unless it was requested, see OutputPotential. */
+  /** The potential's image; empty unless requested, see OutputPotential. */
   vtkImageData* GetPotential();
 
   /** The history, on rank 0: rows up to the skin's time (EQUILIBRIUM: 2 rows); columns as above. */
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
-   * time. The values have the correct sign everywhere (on one process), and are first-order
-   * distances [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is
-   * always the same, with the new skin after each update. Before the first update and after an
-   * error all space is outside. Each update restarts a surface that has this object as
-   * TargetFunction: to follow a moving skin, connect the output port instead. */
+   * time. Within about 1.5 voxels of the skin the values are distances [length], clamped to +-3
+   * voxels; farther away only the sign is correct (several ranks: see ranks.md). The object is
+   * always the same, with the new skin after each update. To follow a moving skin with another
+   * filter, connect the output port instead. */
   vtkImplicitFunction* GetSkinFunction();
 
   vtkMTimeType GetMTime() override;
