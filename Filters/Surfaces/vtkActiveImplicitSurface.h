@@ -46,9 +46,9 @@
  *   | 5     | length/time | particles' velocities  | displacements  |
  *
  * @par Target with time steps, all of one kind
- * - Particles move in straight lines from step to step. Ids match the particles of two steps;
- *   without ids, indices match if both steps have equally many points. Between two steps, a
- *   particle without a match fades out or in.
+ * - Particles move in straight lines from step to step. Ids match the particles of two steps.
+ *   Without ids, indices match if both steps have equally many points, and no reordering is
+ *   noticed. Between two steps, a particle without a match fades out or in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
  *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
  * - At a step without points or mesh cells there is no target: the skin shrinks or vanishes.
@@ -81,10 +81,10 @@
  *   | Outside             | 1             | fraction of the target            |
  *   | Event               |               | changes, joined by ", "           |
  *
- * - Outside: fraction of the target outside the skin, 0 to 1, without the target beyond walls or in
- *   the obstacle. Particles and points of skeletons count if outside by more than their own radius.
- *   Over other targets, sampled points of the inside count if more than a voxel outside. A value
- *   above 1 % can cause one warning.
+ * - Outside: fraction of the target outside the skin, 0 to 1; the target beyond walls or in the
+ *   obstacle is ignored. Particles and points of skeletons count if outside by more than their own
+ *   radius. Over other targets, sampled points of the inside count if more than a voxel outside. A
+ *   value above 1 % can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (which oscillate), or "not at rest".
@@ -432,7 +432,7 @@ public:
 
   ///@{
   /** Fraction [1] of the stable time step that an explicit substep uses. Smaller values are more
-   * accurate in time, and need about 1 / CFL times as many substeps as 1. Range: 1e-6 to 1.
+   * accurate in time, and need up to 1 / CFL times as many substeps. Range: 1e-6 to 1.
    * Default: 1. */
   vtkSetMacro(CFL, double);
   vtkGetMacro(CFL, double);
