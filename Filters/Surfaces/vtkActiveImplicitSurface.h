@@ -353,11 +353,11 @@ public:
 
   ///@{
   /** Amplitude [length] of noise in the target's surface: within about this distance of the target
-   * the skin follows slowly. The skin of still water then does not flicker. Over masks, smoothing
-   * moves the skin by at most this distance along a pixel's shortest side. Needs NormalizeTarget.
-   * Range: 0 or 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r (SUM: 0), 0.47
-   * of a pixel's shortest side over masks; 0 for other targets and in explicit substeps. Default:
-   * -1. */
+   * the skin follows slowly. The skin of still water then does not flicker. Without explicit
+   * substeps, drops and threads of particles are not affected. Over masks, smoothing moves the skin
+   * by at most this distance along a pixel's shortest side. Needs NormalizeTarget. Range: 0 or
+   * 1e-30 to 1e30, or -1, automatic: r / 2 over particles of spacing 2 r (SUM: 0), 0.47 of a
+   * pixel's shortest side over masks; 0 for other targets and in explicit substeps. Default: -1. */
   vtkSetClampMacro(TargetNoise, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
   ///@}
