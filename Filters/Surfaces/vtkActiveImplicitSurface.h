@@ -293,7 +293,7 @@ public:
 
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
-   * the memory, 2 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
+   * the memory, 3 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
    * 1e30, or -1, automatic: half of ParticleSpacing if set for an input; otherwise from the
    * estimated spacing, the pixels or the bounds (PARAMETERS.md). Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
