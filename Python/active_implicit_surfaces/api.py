@@ -64,7 +64,8 @@ def skin(
     Returns
     -------
     vtkPolyData
-        Closed surface of triangles with normals; a pyvista.PolyData if the particles are PyVista's.
+        Closed surface of triangles, by default with normals; a pyvista.PolyData if the particles
+        are PyVista's.
 
     Raises
     ------
@@ -101,7 +102,9 @@ def skin(
 
 
 class frames(Skins):
-    """Iterator over the skins of a series of particles or images, each evolved from the previous.
+    """Iterator over the skins of a series of particles or images.
+
+    Each skin evolves from the previous one, except over masks, where each skin is independent.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     normals; empty unless there are values on both sides of the level.
 
     Raises ValueError without scalars of one component, or for too many voxels. Warns of values that
-    are not finite; these get no surface.
+    are not finite.
     """
     from . import vtkActiveImplicitSurface
 

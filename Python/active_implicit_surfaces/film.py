@@ -23,7 +23,9 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 
 def check_film(path: Path) -> None:
-    """Raises ValueError, OSError or ImportError if a film of this name cannot be made here."""
+    """Raises ValueError, OSError or ImportError for an unknown format, or if ffmpeg (for .mp4),
+    `render` (for .exr) or a display is missing.
+    """
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:
         raise ValueError(f"{path}: films are written as {', '.join(FILM_SUFFIXES)}.")

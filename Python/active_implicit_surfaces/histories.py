@@ -20,7 +20,7 @@ _PLOTTED = ("Volume", "Area", "Components")
 
 
 def history(surface: Any) -> dict[str, Any]:
-    """Returns the history of a filter: an array for each column, with an entry for each time.
+    """Returns the history of a filter: an array for each column, an entry for each row.
 
     Parameters
     ----------

@@ -17,8 +17,9 @@ from .series import TemporalSource
 class LiveSurface:
     """Skin over a running simulation: `advance` reads a frame's particles and returns their skin.
 
-    A call costs one frame, whatever the number of earlier frames. With `particle_spacing` and
-    without a preset, the skins are bitwise those of `frames` at the same times, except velocities.
+    A call costs one frame, whatever the number of earlier frames. With `particle_spacing`, without
+    a preset, and with particles in the first frame, the skins are bitwise those of `frames` at the
+    same times, except velocities.
 
     Parameters
     ----------
@@ -86,8 +87,8 @@ class LiveSurface:
         Raises
         ------
         ValueError
-            Wrong `dt`, value or array, or an error of the filter; the next call continues from
-            the last skin.
+            Wrong `dt`, value or array, or an error of the filter; the next call continues the
+            motion.
         TypeError
             Unknown keyword, or particles or a value of a wrong type.
         """

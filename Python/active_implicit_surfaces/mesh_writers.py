@@ -1,4 +1,4 @@
-"""Writes meshes and particles as .ply, .obj and .stl.
+"""Writes meshes as .ply, .obj and .stl, and particles as .ply.
 
 VTK's own writers drop normals, point arrays and digits, and cannot write a mesh without points.
 """

@@ -22,9 +22,9 @@ _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step
 class morph(Skins):
     """Iterator over the skins from a first shape to a second shape.
 
-    No point correspondence is needed: the surface moves along its normal, splits and merges. Each
-    part moves at constant speed and arrives at the end, unless ``attraction`` is given; parts of
-    only one shape grow or shrink.
+    No point correspondence is needed: the surface moves along its normal, splits and merges. Unless
+    ``attraction`` is given, each part moves at constant speed and arrives at the end; parts of only
+    one shape grow (not with ``create_parts=False``) or shrink.
 
     Parameters
     ----------
@@ -33,8 +33,8 @@ class morph(Skins):
         distances (inside below 0); for other images set ``target_iso_value`` and
         ``invert_target``. Objects of PyVista, trimesh and meshio are accepted.
     duration : float
-        Time [time] at which `b` is reached to a tenth of a voxel, unless ``attraction`` is given;
-        more than 0. Default: 1.
+        Time [time] at which `b` is reached, unless ``attraction`` is given: to a tenth of a voxel
+        for meshes, images of distances and functions that are distances. More than 0. Default: 1.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str

@@ -53,9 +53,9 @@ def apply_preset(
 
 
 def estimate_spacing(cloud: Any) -> float:
-    """Estimates the spacing, like the filter, as the median distance to the third nearest particle.
+    """Estimates the spacing as the median distance to the third nearest particle.
 
-    Returns 0 for fewer than two particles.
+    Unlike the filter, ignores radii and periodic boxes. Returns 0 for fewer than two particles.
     """
     cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()

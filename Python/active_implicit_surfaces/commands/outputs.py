@@ -68,7 +68,8 @@ class Outputs:
 
     Attributes:
     - output (Path or None): name of the skins.
-    - names (list of Path): file of each frame; empty before plan(), and for one .usdc or .usda.
+    - names (list of Path): file of each frame; empty before plan(), without -o, and for one .usdc
+      or .usda.
     """
 
     def __init__(self, parser: Parser, options: Any) -> None:
