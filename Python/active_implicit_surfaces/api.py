@@ -104,7 +104,7 @@ def skin(
 class frames(Skins):
     """Iterator over the skins of a series of particles or images.
 
-    Each skin evolves from the previous one, except over masks, where each skin is independent.
+    Each skin evolves from the previous one, except over masks without explicit substeps.
 
     Parameters
     ----------
