@@ -138,7 +138,7 @@ void RestartWarning::Report(PipelineTime requested, const Warnings& messages)
     text << "The input was replaced after the time " << this->LastTime
          << ", so the surface was restarted. Replacing the input does not advance time: call "
             "Advance(particles, dt) for each frame, or connect a source that publishes TIME_STEPS "
-            "(in Python: ParticleSeries, temporal_source).";
+            "(in Python: ParticleSeries).";
     messages.Say("replaced data", text.str());
   }
   this->LastTime = Never;
