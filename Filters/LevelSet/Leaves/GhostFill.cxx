@@ -78,7 +78,8 @@ public:
   }
 
 private:
-  /** Adds rays of three nodes. A ray ends at the first node that is not in a smaller layer. */
+  /** Adds rays whose three nodes are all in smaller layers. Of a ray with only two such nodes, the
+   * step counts for LargestStep, no more. */
   template <int Axis, int Sign>
   ACTIVE_ALWAYS_INLINE void AddRays(const LeafMask& nodes)
   {

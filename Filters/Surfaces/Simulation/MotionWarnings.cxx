@@ -56,7 +56,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
   text << "At the time step " << outside.Time.Value << ", "
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
        << (particles ? "particles are outside the skin by more than their own radius"
-                     : "target's inside is outside the skin")
+                     : "target is outside the skin")
        << "; the column Outside of the history has this fraction for each time step. "
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
