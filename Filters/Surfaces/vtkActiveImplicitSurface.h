@@ -11,10 +11,11 @@
  *     Attraction * (TargetIsoValue - F) - Tension * kappa + Transport * (v . n)
  *     + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  *
- * F is the target's value. NormalizeTarget replaces F - TargetIsoValue by a distance, which
- * TargetNoise reduces. kappa is the sum of the principal curvatures, n the outward normal, v the
- * velocity of the target's particles. A and V are the skin's area and volume; A0 and V0 are
- * TargetArea and TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
+ * F is the target's value; the first term has the opposite sign if the inside is above
+ * TargetIsoValue. NormalizeTarget replaces F - TargetIsoValue by a distance, which TargetNoise
+ * reduces. kappa is the sum of the principal curvatures, n the outward normal, v the velocity of
+ * the target's particles. A and V are the skin's area and volume; A0 and V0 are TargetArea and
+ * TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
  * Without explicit substeps (TimeIntegration), masks are smoothed instead.
  *
  * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
@@ -26,15 +27,15 @@
  * - Table: a vtkTable of particles. x, y, z (or Points:0 ...) are positions, other columns arrays.
  * - Blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points, block by
  *   block, with arrays common to all. If only one block has points, it may be any input listed.
- * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential, with radii and strengths.
+ * - Skeleton: a vtkPolyData with lines, as for vtkSkeletonPotential; radii and strengths optional.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open: see MeshThickness). F is
  *   the signed distance to the mesh.
  * - Image: a vtkImageData, whose values are F. Inside is below TargetIsoValue (with InvertTarget,
- *   above). Masks (two values): see TargetIsoValue and TargetNoise.
+ *   above). Masks, fractions of volume: see TargetIsoValue and TargetNoise.
  *
  * @par Input 1 (optional): start, the shape at the first time
  * - No input: InitialFunction, else the target, is the shape.
- * - Mesh, image or single block as above, at its first time step.
+ * - Mesh or image, also as the only block with points, at its first time step.
  *
  * @par Arrays of the inputs: SetInputArrayToProcess(index, ...)
  *   | Index | Unit        | Meaning                | If not chosen  |
@@ -186,8 +187,9 @@ public:
   ///@}
 
   ///@{
-  /** Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
-   * F - TargetIsoValue. Off: the speed depends on the scale of F. Default: on. */
+  /** Attracts by the distance (F - TargetIsoValue) / |grad F|, instead of F - TargetIsoValue.
+   * Explicit substeps clamp the distance to +-TargetReach. Off: the speed depends on the scale of
+   * F. Default: on. */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
   vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
@@ -196,8 +198,8 @@ public:
   ///@{
   /** Distance [length] from the target beyond which the attraction has a constant speed, Attraction
    * * TargetReach, in explicit substeps. Needs NormalizeTarget. Range: > 0, or -1, automatic: 3
-   * ParticleSpacing if the automatic VoxelSize uses ParticleSpacing, else 1/8 of ModelBounds'
-   * diagonal. Default: -1. */
+   * times the ParticleSpacing, set or estimated, that an automatic VoxelSize would use; else 1/8 of
+   * ModelBounds' diagonal. Default: -1. */
   vtkSetClampMacro(TargetReach, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
@@ -233,8 +235,8 @@ public:
   ///@{
   /** Usual distance of neighbouring particles [length]: the side of the cube that a particle fills.
    * Set ParticleSpacing for particles without radii. Range: 1e-30 to 1e30, or -1, automatic:
-   * estimated from the distances of near particles, with a warning if neither KernelRadius nor
-   * radii are given. Default: -1. */
+   * estimated, if needed, from the distances of near particles, with a warning if neither
+   * KernelRadius nor radii are given. Default: -1. */
   vtkSetClampMacro(ParticleSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
@@ -274,8 +276,8 @@ public:
   ///@}
 
   ///@{
-  /** Level [1] of the particles' summed influence at which SUM places the surface. Lower values
-   * give thicker bodies. Also the level of a skeleton. Range: > 0. Default: 0.5. */
+  /** Level [1] of the particles' summed influence at which SUM places the surface. Without radii,
+   * lower values give thicker bodies. Also the level of a skeleton. Range: > 0. Default: 0.5. */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
   ///@}
@@ -294,18 +296,19 @@ public:
   ///@{
   /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
    * the memory, 3 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
-   * 1e30, or -1, automatic: half of ParticleSpacing if set for an input; otherwise from the
-   * estimated spacing, the pixels or the bounds (PARAMETERS.md). Default: -1. */
+   * 1e30, or -1, automatic: half of ParticleSpacing if set (for functions only without
+   * ModelBounds); otherwise from the estimated spacing, the pixels or the bounds (PARAMETERS.md).
+   * Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] that the potential's image covers. Functions
-   * and meshes start with their part in this box; the skin may leave the box later. Set ModelBounds
-   * for functions other than vtkSkeletonPotential and vtkGridPotential. Range: finite, min < max on
-   * each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's target
-   * and of the initial shape, with a margin. */
+  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] that the potential's image covers. The first
+   * skin ends at this box, unless its shape is particles or masks without explicit substeps; later
+   * skins may leave the box. Set ModelBounds for functions other than vtkSkeletonPotential and
+   * vtkGridPotential. Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1,
+   * -1, 1, -1), the box of the first step's target and of the initial shape, with a margin. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -323,9 +326,9 @@ public:
   ///@{
   /** Rate [1/time] of approach to the target: without TargetNoise and Tension, a small distance
    * falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time] per
-   * unit of the target. Over moving particles, less than 2 / (TimeScale * interval of time steps)
-   * causes explicit substeps. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval of time
-   * steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
+   * unit of the target. Over moving particles and masks, less than 2 / (TimeScale * interval of
+   * time steps) causes explicit substeps. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval
+   * of time steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
   ///@}
@@ -447,9 +450,10 @@ public:
 
   ///@{
   /** Points at which the target is evaluated for a node's speed, in explicit substeps. SHIFTED (0):
-   * the crossings of the node's edges with the skin (paper, section 4.3), extended to other nodes.
-   * NODE (1): the node itself; the skin freezes into a staircase (paper, Figs. 2 and 3).
-   * CLOSEST_POINT (2): the skin's closest point, slower than SHIFTED. Default: SHIFTED. */
+   * the crossings of the node's edges with the skin (paper, section 4.3); a node without crossings
+   * gets its neighbours' speeds (in the paper's scheme, such a node is a point itself). NODE (1):
+   * the node itself; the skin freezes into a staircase (paper, Figs. 2 and 3). CLOSEST_POINT (2):
+   * the skin's closest point, slower than SHIFTED. Default: SHIFTED. */
   vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
   vtkGetMacro(TargetEvaluation, int);
   void SetTargetEvaluationToShifted() { this->SetTargetEvaluation(SHIFTED); }
@@ -464,8 +468,9 @@ public:
   };
 
   ///@{
-  /** Differences that advect the potential. CENTRAL (0): the paper's, unstable by themselves.
-   * UPWIND (1): one-sided, from the side that the skin comes from. Default: UPWIND. */
+  /** Differences that advect the potential in explicit substeps. CENTRAL (0): the paper's, unstable
+   * by themselves. UPWIND (1): one-sided, from the side that the skin comes from. Default: UPWIND.
+   */
   vtkSetClampMacro(GradientScheme, int, CENTRAL, UPWIND);
   vtkGetMacro(GradientScheme, int);
   void SetGradientSchemeToCentral() { this->SetGradientScheme(CENTRAL); }
@@ -504,8 +509,8 @@ public:
 
   ///@{
   /** Speed [length/time] per missing fraction of the volume, with VolumeControl PENALTY. Larger
-   * values need more substeps. Without a target, a ball of radius r0 collapses if VolumeStiffness *
-   * r0 < 4.233 Tension. Range: >= 0. Default: 1. */
+   * values need more substeps. With Attraction 0, a ball of radius r0 collapses if VolumeStiffness
+   * * r0 < 4.233 Tension. Range: >= 0. Default: 1. */
   vtkSetClampMacro(VolumeStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VolumeStiffness, double);
   ///@}
@@ -529,7 +534,7 @@ public:
 
   ///@{
   /** Speed [length/time] per missing fraction of the area, with AreaControl PENALTY. Larger values
-   * need more substeps. Without a target, a ball of radius r0 collapses if AreaStiffness * r0 <
+   * need more substeps. With Attraction 0, a ball of radius r0 collapses if AreaStiffness * r0 <
    * 5.196 Tension. Range: >= 0. Default: 1. */
   vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AreaStiffness, double);
@@ -657,8 +662,9 @@ public:
   ///@}
 
   ///@{
-  /** Memory [MiB] for stored states, 5 to 8 bytes per active voxel each. If full, removes states so
-   * that gaps between steps stay small. Does not restart the motion. Range: >= 0. Default: 256. */
+  /** Memory [MiB] of each rank for stored states, 5 to 8 bytes per active voxel. When full, states
+   * are removed so that gaps between stored steps stay small. Does not restart the motion. Range:
+   * >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}
@@ -678,9 +684,9 @@ public:
   ///@}
 
   ///@{
-  /** Ranks that compute one skin, and update, save and load together. Each rank provides a piece of
-   * the inputs and outputs a part of the skin. A change does not restart the motion, unless several
-   * ranks computed the skin before, or will. Default: VTK's global controller. */
+  /** Ranks that compute one skin, and update, save and load together. Each rank reads a piece of
+   * each input, and returns a part of the skin. Another controller does not restart the motion,
+   * unless several ranks computed the skin before, or will. Default: VTK's global controller. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
@@ -688,11 +694,11 @@ public:
   // @name
 
   ///@{
-  /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
-   * step up to the time of the last update; with EQUILIBRIUM there is no state. LoadState loads a
-   * state into a filter with the same properties and inputs: from the state's time on, the motion
-   * continues bitwise identically. With Advance, the first frame after LoadState is that of the
-   * saved time. Both functions return false, with an error, on failure. */
+  /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the state at
+   * the last time step up to the time of the last update; with EQUILIBRIUM there is no state.
+   * LoadState loads a state into a filter with the same properties and inputs: from the state's
+   * time on, the motion continues bitwise identically. With Advance, the first frame after
+   * LoadState is that of the saved time. Both functions return false, with an error, on failure. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
@@ -736,7 +742,8 @@ public:
   /** The potential's image; empty unless requested, see OutputPotential. */
   vtkImageData* GetPotential();
 
-  /** The history, on rank 0: rows up to the skin's time (EQUILIBRIUM: 2 rows); columns as above. */
+  /** The history, on rank 0: rows up to the skin's time (EQUILIBRIUM: 2 rows). Columns: see
+   * output 2. */
   vtkTable* GetHistory();
 
   /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
