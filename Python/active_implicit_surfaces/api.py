@@ -276,7 +276,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Sets a series' spacing if no spacing, kernel radius or radii are set; or warns of misfits."""
+    """Warns of lengths that do not fit the particles; may set the spacing if no length is set."""
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
@@ -288,7 +288,7 @@ def _settle_spacing(
 
 
 def _describe_lengths(surface: Any, own: float) -> list[str]:
-    """Returns warnings about a spacing or radius that does not fit the neighbours' distance."""
+    """Returns a warning if spacing or kernel radius do not fit `own`, the estimated spacing."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [
@@ -305,7 +305,7 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
-    """Raises ValueError if the first frame has points, but not a chosen array."""
+    """Raises ValueError if the first frame has particles, but not a chosen array."""
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return
@@ -319,7 +319,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
-    """Returns the array names of the given keywords, and the arrays that keywords contain."""
+    """Returns the array name of each given keyword, and the arrays that are given as values."""
     names, values = {}, {}
     for role, array in given.items():
         if isinstance(array, str):

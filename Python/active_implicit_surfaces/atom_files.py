@@ -123,7 +123,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
-    """Returns the cell, {} if none: edges, a flag for each (1: periodic), and the given origin."""
+    """Returns a cell's edges, a flag for each (1: periodic) and any origin; {} without a cell."""
     if "lattice" not in pairs:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
@@ -142,7 +142,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     """Adds atomic numbers, radii and elements as texts, unless no symbol has a known radius.
 
     Symbols are elements, or atom names if `are_names` is true or by the rule of _elements_of.
-    `unit` is the length of one Angstrom.
+    `unit` is one Angstrom in the unit of the positions.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
@@ -174,7 +174,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
-    """Returns the atomic number of each symbol, 0 if it is no element.
+    """Returns the atomic number of each symbol, 0 if unknown.
 
     Symbols are read as atom names if one symbol is a name but no element (CB, OW), or if the
     symbols are only CA, or include CA, C and N: the backbone of a protein.
@@ -220,7 +220,7 @@ def _number(symbol: str, element: str, table: Any) -> int:
 
 
 def _guess(name: str, table: Any) -> str:
-    """Guesses the element from an atom's name: C for CA, Fe for FE."""
+    """Guesses an element from the letters of an atom's name: C for CA, FE for FE; "" for none."""
     upper = name.upper()
     if upper in _IONS:
         return _IONS[upper]
@@ -337,7 +337,7 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name in capitals; of an ion (named as its residue) written like Na."""
+    """Returns an atom's name in capitals, but like Na if equal to the residue's name: an ion."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 

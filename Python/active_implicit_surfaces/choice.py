@@ -1,4 +1,4 @@
-"""Selects particles or polygons by conditions, labels or size of clusters; or a label of an image.
+"""Selects particles or polygons by conditions or labels, clusters by size, a label of an image.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice
@@ -67,7 +67,7 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
 
 
 def _split_values(text: str) -> list[str]:
-    """Splits a text at commas and removes quotes; returns [] if the text is not such a list."""
+    """Splits a list of values at commas outside quotes, removes quotes; returns [] if malformed."""
     values, place = list[str](), 0
     while place < len(text):
         found = _VALUE.match(text, place)
@@ -95,11 +95,11 @@ def choose(
     """Selects the points of a cloud, or the polygons of a mesh, that meet all conditions.
 
     A vector is compared by its length, or by a component such as v_x or v:0. x, y and z are the
-    position unless arrays have these names. A cell array selects polygons; a point array selects
-    polygons of which all points meet the condition. Texts are compared as text, numbers as numbers.
+    coordinates unless arrays have these names. A cell array selects polygons; a point array of a
+    mesh selects polygons of which all points meet the condition.
 
     A value after = or != that the array does not contain, such as a misspelt name, causes a
-    warning. If the array contains none of the values of a condition NAME=A,B, an error is raised.
+    warning. If the array contains none of the values of a condition NAME=A,B, ValueError is raised.
     In place of either, `note`, if given, is called with the message.
 
     A label selects points or polygons by the array "label" or "labels". An image is set to 1 at the
@@ -107,8 +107,8 @@ def choose(
 
     Data without points are returned as they are.
 
-    Raises ValueError if there is no such array or value, if texts are compared with < or > or
-    numbers with texts, if an image has no such label, or if conditions are given for an image.
+    Raises ValueError also if there is no such array, if texts are compared with < or > or numbers
+    with texts, if an image has no such label, or if a condition is malformed or for an image.
     """
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
@@ -157,7 +157,7 @@ def _describe_values(name: str, values: Any) -> str:
 
 
 def note_once() -> Callable[[str], None]:
-    """Returns a function for `choose` that warns of each absent value once for a series."""
+    """Returns a `note` for `choose` that warns of the same absent values once in a series."""
     noted = set[str]()
 
     def note(said: str) -> None:
@@ -214,7 +214,7 @@ def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image except 0, or all labels of particles or a mesh.
 
     Raises ValueError if particles or a mesh have no array "label" or "labels", a value is no
-    integer, or there are more than a thousand labels.
+    integer, or there are more than a thousand distinct values.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":

@@ -78,7 +78,7 @@ def make_parser() -> Parser:
 def describe(
     names: list[str], where: Sequence[str] = (), label: int | None = None
 ) -> dict[str, Any]:
-    """Describes files by the first one (particles: also the last frame): a dictionary for JSON."""
+    """Returns, for JSON, the contents of the first file; of particles, the first and last frame."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -190,7 +190,7 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """Counts the points or cells of each label except 0; empty if more than 100, or no labels."""
+    """Counts points or cells of each label except 0; {} for over 100 labels, or other values."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:

@@ -45,7 +45,7 @@ def each_label(
 ) -> Iterator[Namespace]:
     """Yields the options of one run per label, with own output names; without labels, of one run.
 
-    `find` returns all labels; `default` is the name of the output if no name is given.
+    `find` returns all labels; `default` is the output's name if neither -o nor --render is given.
     """
     if not (options.output or getattr(options, "render", None)):
         options.output = default
@@ -103,7 +103,7 @@ class Outputs:
             parser.error(f"--index has to be a .pvd, a .series or none, not {index}")
 
     def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
-        """Chooses the names of frames of these numbers, and makes their folders."""
+        """Chooses the names of the numbered frames, and makes the folders of all outputs."""
         self.numbers = numbers
         self.names = names_of(self.output, numbers) if self.output and not self.is_usd else []
         if self.is_usd and self.output:

@@ -12,7 +12,7 @@ _BAR, _SECONDS_BETWEEN_LINES = 30, 10.0
 
 
 class Progress(Sink):
-    """Prints to standard error the number of finished frames, the speed and the time left."""
+    """Prints to `stream` (default: stderr) the number of finished frames, speed and time left."""
 
     def __init__(self, total: int, done: int = 0, quiet: bool = False, stream: Any = None) -> None:
         self.stream = stream or sys.stderr

@@ -22,7 +22,7 @@ class Resumption(Sink):
     - description (dict): options that the skins depend on; a run with other options cannot be
       resumed.
     - files (list of Path): last file read for each frame. Files of finished frames must not
-      change, except that a single file may get more frames.
+      change, except that a single file of several frames may get more frames.
 
     Attributes:
     - view (list or None): points in view and up axis of pictures, saved to keep the camera when

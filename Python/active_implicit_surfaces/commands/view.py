@@ -52,7 +52,7 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
 
 
 def lie(low: Any, high: Any, mean: Any) -> str:
-    """Returns the axis, y or z, along which particles lie low or flat in their box; else z."""
+    """Returns y or z: the axis along which the mean is clearly lower; else y if thinner; else z."""
     sides = high - low
     place = (mean - low) / numpy.maximum(sides, 1e-300)
     if abs(place[1] - place[2]) >= _LOWER:
