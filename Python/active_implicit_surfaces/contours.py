@@ -56,10 +56,10 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
-    Mask (two values): the mean of the values, inside above; if one value is negative, inside is the
-    value that is rarer at the image's border. Volume fractions (most are 0 or 1): 0.5, inside
-    above. Other images: 0, inside below. A given `level` is returned unchanged; inside is then
-    above if above by these rules, or if most values at the image's border are below `level`.
+    Mask (two values): midway between the values, inside above; if the lower value is negative,
+    inside is the value that is rarer at the image's border. Volume fractions (most are 0 or 1):
+    0.5, inside above. Other images: 0, inside below. A given `level` is returned unchanged; inside
+    is then above if above by these rules, or if most values at the border are below `level`.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)
@@ -192,7 +192,7 @@ def _voxel_size(image: Any) -> float:
 def _on_the_lattice(image: Any) -> tuple[Any, Any]:
     """Moves the image's origin onto a node of the filter's lattice; returns image and offset.
 
-    With equal spacings all points are then nodes, whose values the filter does not interpolate.
+    With equal spacings, unrotated, all points are then nodes: values are not interpolated.
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)

@@ -265,7 +265,7 @@ def _string_array(texts: Any) -> Any:
 
 
 def texts_of(attributes: Any, name: str) -> Any:
-    """Returns a named array of texts as a numpy array; None if no array of texts has this name."""
+    """Returns a named vtkStringArray of one component as a numpy array; None if there is none."""
     array = attributes.GetAbstractArray(name)
     if array is None or not array.IsA("vtkStringArray") or array.GetNumberOfComponents() != 1:
         return None

@@ -265,7 +265,7 @@ def has_number(name: str | Path) -> bool:
 def numbered(name: str | Path, number: int) -> Path:
     """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    ## stands for at least two digits. Without a placeholder the number is appended as for ####.
+    ## stands for at least two digits. A name without placeholder, skin.ply, gets skin_0007.ply.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)

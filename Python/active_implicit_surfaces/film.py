@@ -23,8 +23,8 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 
 def check_film(path: Path) -> None:
-    """Raises ValueError, OSError or ImportError for an unknown format, or if ffmpeg (for .mp4),
-    `render` (for .exr) or a display is missing.
+    """Raises ValueError for an unknown format, OSError if ffmpeg (for .mp4) or a display is
+    missing, ImportError if VTK lacks modules of `render` (for .exr).
     """
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:
@@ -44,7 +44,7 @@ class Film(Sink):
 
     - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
     - times (list of float): times of the pictures [time].
-    - numbers (list of int): frame numbers in the names of several pictures.
+    - numbers (list of int): frame numbers, for the names of pictures.
     - fps (float, optional): frames per second [1/time]. Default: the mean frame rate of the times
       if 1 to 240, else 25.
     """

@@ -178,8 +178,8 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
     """Raises OSError unless all accessors and references of a .glb are valid; VTK does not check.
 
-    Returns three values: True for a file of this package, whose vertices have the data's
-    coordinates; True for a file with meshes; the origin of the vertices, None for 0.
+    Returns three values: True for a file of this package, whose vertices have the data's axes; True
+    for a file with meshes; the origin to add to the vertices, None for 0.
     """
     try:
         with path.open("rb") as file:

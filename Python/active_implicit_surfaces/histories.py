@@ -80,7 +80,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     ImportError
         No axes are given, and matplotlib is not installed.
     ValueError
-        There is no such column, no history, or not one of `axes` for each column.
+        There is no such column or no history, or the numbers of columns and `axes` differ.
     """
     held = history(surface)
     if unknown := [name for name in columns if name not in held]:

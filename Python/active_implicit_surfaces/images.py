@@ -50,7 +50,7 @@ def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
 
 
 def _check_size(reader: Any, size: int) -> None:
-    """Raises ValueError if the file has fewer bytes than its header requires."""
+    """Raises ValueError if `size` [bytes] is too small for the header, or the header is invalid."""
     with quiet() as said:
         reader.UpdateInformation()
     if said.errors:
@@ -110,7 +110,7 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
 def _read_nrrd(
     path: Path, fields: dict[str, str], values: bytes, reader: Any, update: Callable[[Any], Any]
 ) -> Any:
-    """Lets VTK read only the values, and sets the position of the image."""
+    """Lets VTK read only the values, and sets spacing and position of the image."""
     sizes = fields["sizes"].split()
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(

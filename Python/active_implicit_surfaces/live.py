@@ -19,7 +19,7 @@ class LiveSurface:
 
     A call costs one frame, whatever the number of earlier frames. With `particle_spacing`, without
     a preset, and with particles in the first frame, the skins are bitwise those of `frames` at the
-    same times, except velocities.
+    same times, except the array "Velocity".
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. Arrays are not copied: do not change the arrays before the next call.
+            See `skin`. Arrays are not copied, but may be overwritten for the next call.
         dt : float
             Time since the last call [time], more than 0 and finite. The first skin is at `start`,
             or at the time of `resume`, whatever the first dt.

@@ -166,7 +166,7 @@ def write_stl(path: Path, mesh: Any) -> None:
 
 
 def write_obj(path: Path, mesh: Any) -> None:
-    """Writes points, with colours as r g b behind x y z, normals, polygons and lines."""
+    """Writes points (x y z, then colours as r g b), normals, polygons and lines."""
     table, (normals, colours, _) = points_of(mesh), arrays_of(mesh)
     form = "v" + 3 * (" %.9g" if table.dtype.itemsize <= 4 else " %.17g")
     if colours is not None:
