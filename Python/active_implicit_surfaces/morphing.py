@@ -23,8 +23,8 @@ class morph(Skins):
     """Iterator over the skins from a first shape to a second shape.
 
     No point correspondence is needed: the surface moves along its normal, splits and merges. Unless
-    ``attraction`` is given, each part moves at constant speed and arrives at the end; parts of only
-    one shape grow (not with ``create_parts=False``) or shrink.
+    ``attraction`` is given, each point of the surface moves at constant speed and arrives at the
+    end; parts of only one shape grow (not with ``create_parts=False``) or shrink.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ class morph(Skins):
     -----
     UserWarning
         After `fit`, the longest sides of the shapes' bounds differ by a factor of more than 1.5, or
-        the centres are farther apart than half of the longer one.
+        the bounds' centres are farther apart than half of the longer side; or the filter warns.
 
     Attributes
     ----------

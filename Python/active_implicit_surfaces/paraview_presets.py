@@ -24,10 +24,10 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
 
     The values appear in the panel, where the user can change them, and are saved in state files.
-    Values depend on the particles at the first time step (spacing, radii), which are sent to the
-    client, and on the median time between two steps. A Particle Spacing that was set before stays.
-    Properties that only other presets set return to their defaults, except a voxel size, a kernel
-    radius or a radius array set by the user.
+    Values depend on the particles at the first time step (radii, and the spacing unless Particle
+    Spacing is set), which are sent to the client, on the median time between two steps, and on Time
+    Scale. Properties that only other presets set return to their defaults, except a voxel size, a
+    kernel radius or a radius array set by the user.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
 
 
 def _changes(name: str, frames: TemporalSource, given: dict[str, Any]) -> dict[str, Any]:
-    """Returns the properties that a preset sets on a new filter, by ParaView's names."""
+    """Returns the values that a preset changes on a new filter, by ParaView's property names."""
     plain = vtkActiveImplicitSurface()
     apply_preset(plain, frames, name, None, given)
     found = {

@@ -90,7 +90,8 @@ class ParticleFiles:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        as `choose` does. In a series, an absent value warns, and images may lack the label.
+        as `choose` does. In a series, a condition's value that no particle has only causes a
+        warning, and images may lack the label.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
@@ -116,9 +117,9 @@ def open_particles(
 ) -> ParticleFiles:
     """Opens files of particles or images as frames; names may be patterns, folders or one index.
 
-    `where` and `label` select particles, or a label of images (see choice.choose). Times follow
-    from `times`, else from `fps`, else from the index or the files, else from 25 frames per second.
-    With frames per second, gaps in file numbers are gaps in time.
+    `where` selects particles; `label` selects particles, or a label of images (see choice.choose).
+    Times follow from `times`, else from `fps`, else from the index or the files, else from 25
+    frames per second. With frames per second, gaps in file numbers are gaps in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times

@@ -51,7 +51,7 @@ class _DamageError(ValueError):
 
 
 def read_ply(path: Path) -> Any:
-    """Reads a mesh or points of a .ply; numeric properties of vertices and polygons become arrays.
+    """Reads a mesh or points of a .ply; scalar properties of vertices and polygons become arrays.
 
     Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """

@@ -119,7 +119,7 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets SUM with short kernels; radii: the chosen array, else "radius", else one for all."""
+    """Sets SUM with short kernels; radii: the chosen array, else "radius", else one value."""
     first = source.first_frame()
     chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
     radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None

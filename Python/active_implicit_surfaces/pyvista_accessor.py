@@ -1,4 +1,4 @@
-"""Skins as methods of PyVista's data sets; PyVista 0.48 or later loads them from a wheel.
+"""Skins as methods of PyVista's data sets, which PyVista 0.48 or later finds in an installed wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh
@@ -68,7 +68,7 @@ class ActiveSurfaceAccessor:
         ----------
         other : pyvista.PolyData, pyvista.ImageData, or a shape for active_implicit_surfaces.morph
         duration : float
-            Time at which `other` is reached [time]. Default: 1.
+            Time [time] at which `other` is reached, unless ``attraction`` is given. Default: 1.
         **options
             ``frames``, ``fit``, ``progress`` and the properties of vtkActiveImplicitSurface; see
             active_implicit_surfaces.morph.

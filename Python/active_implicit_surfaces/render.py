@@ -5,7 +5,7 @@
 
 Layers, as point arrays of the image that capture() returns, and their channels in the file::
 
-    RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
+    RGBA     R G B A, HALF      the picture, in the file as linear light; see `encoding`
     Z        Z, FLOAT           distance from the camera along its axis [world units], with
                                 perspective and without; `far` where nothing is
     P        P.X P.Y P.Z, FLOAT position in the world minus `origin`; 0 where nothing is
@@ -79,9 +79,9 @@ def write_exr(
         Writer with other settings (compression, attributes); input, file name, pixel types,
         matrices and color encoding are set here.
     **options
-        Options of capture(). `origin` is 0 unless single precision is too coarse for positions in
-        the world, as for map coordinates; a warning and the attribute worldOrigin then name the
-        origin.
+        Options of capture(). Default of `origin`: 0, or the camera's focal point if single
+        precision is too coarse there, as for map coordinates; a warning and the attribute
+        worldOrigin then name this point.
 
     Returns
     -------
@@ -160,9 +160,9 @@ def capture(
     far : float
         Z of the background [length]. Default: 1e10.
     apart : dict of vtkActor, optional
-        Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives
-        ground.R, .G, .B, .A and ground.Z. The background is left out, even if the dict is empty,
-        so that A is the coverage of the other actors. Default: none.
+        Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives the
+        arrays "ground" (in the file ground.R, .G, .B, .A) and "ground.Z". The background is left
+        out, even if the dict is empty, so A is the coverage of the other actors. Default: none.
     origin : (float, float, float), optional
         Point of the world [length] that is subtracted from P, which has single precision.
 
