@@ -117,8 +117,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         """Removes particles in clusters of fewer than `minimum` particles or less than `volume`
         [length^3].
 
-        A particle has the volume spacing^3. Without a spacing all particles stay. Returns the least
-        number of particles of a cluster that stays. Raises ValueError for images.
+        A particle has the volume spacing^3. Without a spacing all particles stay. Returns
+        `minimum`, or the number of particles in `volume` if larger. Raises ValueError for images.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)

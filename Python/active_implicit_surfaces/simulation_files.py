@@ -157,7 +157,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """Reads all kinds of particles with the arrays common to them; "array" names the kind."""
+    """Opens all kinds of particles with their common arrays; the array "array" names the kind."""
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")

@@ -71,8 +71,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
     Warns of arrays and lines that the format cannot hold.
 
-    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb pass the filter's own output, whose
-      grid is then written.
+    - mesh (vtkPolyData; for a .vdb also vtkImageData): for a .vdb of a skin, pass the filter's own
+      output, whose grid is then written.
     - port (vtkAlgorithmOutput, optional): output port of the mesh's source, from which a .vdb gets
       its frame number.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up, for a .glb, in which
@@ -152,7 +152,7 @@ def holds_particles(path: Path) -> bool | None:
 
     Particles: a vtkPolyData without polygons, or another point set whose cells are vertices.
     If the extension allows only particles, or only meshes and images, the file is not read. Raises
-    OSError for another extension, or if the file cannot be read.
+    OSError for an unknown extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
@@ -222,7 +222,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """Returns the mesh if all polygons are triangles, else triangles of its polygons and strips."""
+    """Cuts polygons and strips into triangles, if the mesh has strips or larger polygons."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):

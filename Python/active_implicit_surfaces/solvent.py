@@ -3,8 +3,8 @@
 A probe, a ball, rolls over the atoms; points that the probe cannot reach are inside. A probe of
 radius 0 gives the van der Waals surface. Possible centres of the probe are outside the accessible
 balls, whose radii are atom plus probe (Lee and Richards, J. Mol. Biol. 55, 1971). The possible
-centre nearest to an inner point lies on a ball, or on an arc where two balls meet (Connolly, J.
-Appl. Cryst. 16, 1983).
+centre nearest to a point in these balls lies on the surface of one of the balls, or on an arc where
+two of the surfaces meet (Connolly, J. Appl. Cryst. 16, 1983).
 
 >>> from active_implicit_surfaces.solvent import excluded_distance
 >>> image = excluded_distance([[0, 0, 0], [3, 0, 0]], [1.7, 1.7], probe=1.4, voxel=0.25)
@@ -90,8 +90,9 @@ def empty_image(voxel: float) -> Any:
 def for_triangles(image: Any) -> Any:
     """Corrects distances so that a skin of flat triangles has the volume of the round surface.
 
-    Triangles with corners on a ball of r voxels lie 0.2 / r voxels inside the ball on average. The
-    correction is 0.1 of the distance's Laplacian, which is the curvature [1/voxel].
+    Triangles with corners on a ball of radius r [voxel] lie 0.2 / r voxels inside the ball on
+    average. The correction is 0.1 of the distance's Laplacian, the sum of the two principal
+    curvatures [1/voxel].
     """
     array = image.GetPointData().GetScalars()
     values = vtk_to_numpy(array).reshape(image.GetDimensions()[::-1])
@@ -226,7 +227,7 @@ def _neighbours(centers: Any, radii: Any) -> list[Any]:
 
 
 def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
-    """Yields the arcs in which a ball meets later balls and which no other ball covers.
+    """Yields the arcs where a ball meets balls of higher index and which no other ball covers.
 
     An arc has a centre, a radius, half of its angle, and three axes as rows: towards the middle of
     the arc, across the first axis in the plane of the circle, and normal to the plane.
@@ -262,7 +263,7 @@ def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
 
 
 def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, Any]:
-    """Returns the gaps that no ball covers: row, start and end in [0, 2 pi]."""
+    """Returns the gaps of circles that no ball covers: row (circle), start and end in [0, 2 pi]."""
     with numpy.errstate(divide="ignore", invalid="ignore"):
         half = numpy.where(excess <= -scale, numpy.pi, numpy.arccos(excess / scale))
     starts = numpy.where(covers, (angles - half) % _TURN, 0.0)
@@ -278,7 +279,7 @@ def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, 
 
 
 def _distances_to(radius: float, half: float, x: Any, y: Any, z: Any) -> Any:
-    """Returns distances of points, in the axes of an arc, to the arc."""
+    """Returns distances of points, in the axes of an arc and with y >= 0, to the arc."""
     cos, sin = numpy.cos(half), numpy.sin(half)
     to_end = (x - radius * cos) ** 2 + (y - radius * sin) ** 2
     is_ahead = (y * cos <= x * sin) | (half >= numpy.pi)

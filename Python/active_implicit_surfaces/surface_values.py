@@ -49,7 +49,7 @@ def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
 
 
 def _render_depth(window: Any, renderer: Any) -> Any:
-    """Returns the depth buffer; hides renderers drawn later, which would clear the buffer.
+    """Returns the depth buffer; hides other renderers in this layer and above, which may clear it.
 
     ParaView's axes and its camera orientation widget have such renderers, visible or not.
     """
@@ -72,7 +72,7 @@ def _render_depth(window: Any, renderer: Any) -> Any:
 
 
 def _stand_in(renderer: Any, velocity: Any) -> Any:
-    """Merges all opaque surfaces, in world coordinates, with their values as point arrays."""
+    """Merges the surfaces of _surface_of, with their values as point arrays; None if none exist."""
     surfaces = list[Any]()
     camera = renderer.GetActiveCamera()
     actors, index = renderer.GetActors(), 0

@@ -1,4 +1,4 @@
-"""Reads tables of numbers as text. Separator, quotes, decimal mark and header are detected; a
+"""Reads tables of numbers from text. Separator, quotes, decimal mark and header are detected; a
 column of times or frame numbers splits the rows into frames.
 """
 
@@ -58,7 +58,8 @@ class _Form(NamedTuple):
 def read_table(text: str) -> Frames:
     """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too), and the rest as arrays.
 
-    Without names, the positions are the first three columns, after a column of row numbers if any.
+    Without names, the positions are the first three columns of numbers, after a column of row
+    numbers if any.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
@@ -249,7 +250,7 @@ def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: ty
 
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
-    """Slower `_load`: accepts empty cells, and names the line of the first error."""
+    """Slower fallback of `_load`: accepts empty cells, and names the line of the first error."""
     table, width = [], len(form.names) or max(form.columns) + 1
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):

@@ -28,7 +28,7 @@ _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.g
 
 
 def check_usd(path: Path) -> None:
-    """Raises OSError if a film of this name cannot be written here."""
+    """Raises OSError if usd-core is missing, or the name has a frame number."""
     if has_number(path):
         raise OSError(
             f"{path} holds all frames in one file; remove the frame number from the name."

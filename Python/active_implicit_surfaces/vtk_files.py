@@ -185,7 +185,7 @@ def _check_obj(path: Path) -> None:
 
 
 def _add_vertices(path: Path, data: Any) -> None:
-    """Adds the vertex colours of an .obj (v x y z r g b), and digits beyond floats if needed."""
+    """Adds the vertex colours of an .obj (v x y z r g b), and coordinates in doubles if needed."""
     data.GetCellData().RemoveArray("GroupIds")
     rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
     if data.GetNumberOfPoints() == 0:
@@ -240,13 +240,13 @@ def _check_corner(
 
 
 def _is_empty_stl(path: Path) -> bool:
-    """Returns True for a binary file without triangles, which VTK would read as text."""
+    """Returns True for a binary file (no "solid" first) without triangles; VTK reads it as text."""
     content = path.read_bytes() if path.stat().st_size == 84 else b""
     return content[80:] == bytes(4) and not content.lstrip().lower().startswith(b"solid")
 
 
 def _check_stl(path: Path) -> None:
-    """Raises OSError if a binary file is too short for its triangles; VTK does not check."""
+    """Raises OSError if a binary file (no "solid" first) is too short for its triangles."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
