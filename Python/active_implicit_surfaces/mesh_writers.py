@@ -1,6 +1,6 @@
 """Writes meshes as .ply, .obj and .stl, and particles as .ply.
 
-VTK's own writers drop normals, point arrays and digits, and cannot write a mesh without points.
+VTK's own writers drop point arrays, some of them also normals or digits.
 """
 
 from __future__ import annotations
