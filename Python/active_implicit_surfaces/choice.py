@@ -98,9 +98,9 @@ def choose(
     coordinates unless arrays have these names. A cell array selects polygons; a point array of a
     mesh selects polygons of which all points meet the condition.
 
-    A value after = or != that the array does not contain, such as a misspelt name, causes a
-    warning. If the array contains none of the values of a condition NAME=A,B, ValueError is raised.
-    In place of either, `note`, if given, is called with the message.
+    If the array contains none of the values after =, such as one misspelt name, ValueError is
+    raised. Any other value after = or != that the array does not contain causes a warning. In place
+    of either, `note`, if given, is called with the message.
 
     A label selects points or polygons by the array "label" or "labels". An image is set to 1 at the
     label and 0 elsewhere.
