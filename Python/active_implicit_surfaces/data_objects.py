@@ -109,7 +109,7 @@ def output_of(algorithm: Any, *data: Any) -> Any:
 
 
 def copy_of(data: Any) -> Any:
-    """Returns a shallow copy, which the next update of the data's source does not change."""
+    """Returns a shallow copy, which stays as it is if the source's next update makes new arrays."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     return copy

@@ -316,7 +316,7 @@ bool SampleInside(
   return true;
 }
 
-/** Returns the nodes of a leaf for which LatticeBox::Closes is false. */
+/** Returns the nodes of a leaf that lie within the outermost nodes of the box. */
 LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
 {
   LeafMask within;
