@@ -146,7 +146,7 @@ def _check(path: Path, errors: list[str], failed: bool = False) -> None:
 
 
 def _is_empty(path: Path) -> bool:
-    """Returns True if there are NumberOfPoints in the first MiB of a VTK XML file, and all are 0."""
+    """Returns True if the first MiB of a VTK XML file has NumberOfPoints, all of them 0."""
     with path.open("rb") as file:
         counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
     return bool(counts) and not any(map(int, counts))
