@@ -315,8 +315,9 @@ void RunStages(const NodeFields& fields, const StageCoefficients& given)
   const StagePlan plan =
     fields.Slack ? PlanEqualStages(coefficients.Tension) : PlanCycles(coefficients.Tension);
   VolumeKeeper keeper(fields);
-  for (const float share : plan.Shares)
+  for (int stage = 0; stage < plan.Count; ++stage)
   {
+    const float share = plan.GetShare(stage);
     fields.Halo.Refresh(fields.Potential);
     const float shift = keeper.FindShift();
     coefficients.Tension <= plan.Fine ? RunStage<1>(fields, coefficients, share, plan.Fine, shift)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 
 namespace activesurface
@@ -45,26 +44,21 @@ StagePlan PlanCycles(float tension)
   const Cycle& cycle = *std::find_if(std::begin(Cycles), std::end(Cycles) - 1,
     [&](const Cycle& one) { return one.Sum * static_cast<float>(count) >= needed; });
   const float sum = cycle.Sum * static_cast<float>(count);
-  StagePlan plan;
-  for (int i = 0; i < count * cycle.Count; ++i)
-  {
-    plan.Shares.push_back(cycle.Durations[i % cycle.Count] / sum);
-  }
   // f tension, for the fraction f with GreatestFactor(f) tension = 2 sum.
   const float stable =
     (2.f * sum - GreatestFactor(0.f) * tension) / (GreatestFactor(1.f) - GreatestFactor(0.f));
-  plan.Fine = std::min(std::max(stable, LeastFine * tension), tension);
-  return plan;
+  const float fine = std::min(std::max(stable, LeastFine * tension), tension);
+  return { count * cycle.Count, fine, cycle.Durations, cycle.Count, sum };
 }
 
 StagePlan PlanEqualStages(float tension)
 {
   constexpr float mostOfFine = .15f, mostOfOther = .6f; // tension of a stage
   constexpr float fineStages = 64.f;
+  static constexpr float equal = 1.f;
   const bool isFine = tension <= mostOfFine * fineStages;
   const int count = CountOf(tension, isFine ? mostOfFine : mostOfOther);
-  return { std::vector<float>(static_cast<std::size_t>(count), 1.f / static_cast<float>(count)),
-    isFine ? tension : LeastFine * tension };
+  return { count, isFine ? tension : LeastFine * tension, &equal, 1, static_cast<float>(count) };
 }
 
 }

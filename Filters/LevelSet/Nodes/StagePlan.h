@@ -4,8 +4,6 @@
 #ifndef StagePlan_h
 #define StagePlan_h
 
-#include <vector>
-
 namespace activesurface
 {
 
@@ -14,8 +12,14 @@ namespace activesurface
  * are more accurate on thin parts, and need more stages. */
 struct StagePlan
 {
-  std::vector<float> Shares; //< durations; sum 1, the frame
-  float Fine;                //< at least b / 6, as differences over 4 nodes miss waves of 2 nodes
+  int Count;
+  float Fine;             //< at least b / 6, as differences over 4 nodes miss waves of 2 nodes
+  const float* Durations; //< of a cycle of CycleLength stages, relative to Sum, of all stages
+  int CycleLength;
+  float Sum;
+
+  /** Returns the duration of a stage; 1 is the frame. */
+  float GetShare(int stage) const { return this->Durations[stage % this->CycleLength] / this->Sum; }
 };
 
 /** Stages of different durations (super time steps: Alexiades, Amiez, Gremaud 1996), in cycles of
