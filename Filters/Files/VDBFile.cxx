@@ -358,7 +358,7 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   catch (const std::exception& error)
   {
     throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
-      " cannot be read: " + error.what() + "; free memory, or write the file again.");
+      " cannot be read: " + error.what() + "; write the file again.");
   }
 }
 
