@@ -43,7 +43,7 @@
  *
  * @par Threads
  * - The pixels are packed by as many threads as vtkSMPTools uses, unless the program has set
- *   another number for OpenEXR. The bytes do not depend on the number of threads.
+ *   another number for files of this format. The bytes do not depend on the number of threads.
  *
  * @par Errors
  * - A file is written whole or not at all: first under a temporary name in the same folder, then

@@ -108,7 +108,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names combine two numbers in all ways (one may count parts); else ""."""
+    """Returns a note if names have each pair of two numbers (one may count parts); else ""."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]

@@ -125,9 +125,9 @@ class Conditions(unittest.TestCase):
         halves = [numpy.vstack([grid() - [x, 0, 0], grid() + [0.5 + x, 0, 0]]) for x in SHIFTS]
         places = [*halves[:3], *(numpy.vstack([each, grid(3) + [0, 2, 0]]) for each in halves[3:])]
         for rate in ({}, {"output_fps": 20}, {"output_fps": 40}):
-            way = active.frames(places, fps=10, particle_spacing=0.1, **rate)
-            self.assertEqual(len(list(way)), 5 * rate.get("output_fps", 10) // 10 + 1)
-            held = active.history(way)
+            skins = active.frames(places, fps=10, particle_spacing=0.1, **rate)
+            self.assertEqual(len(list(skins)), 5 * rate.get("output_fps", 10) // 10 + 1)
+            held = active.history(skins)
             numpy.testing.assert_allclose(held["Time"], numpy.arange(6) / 10, atol=1e-12)
             events = {
                 round(time, 3): text for time, text in zip(held["Time"], held["Event"]) if text
