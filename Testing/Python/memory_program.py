@@ -1,7 +1,8 @@
-"""Runs the splash with a limit of address space, a number of MiB above the use after its first
-step. Prints the errors of step 3, and the hash of its skin without the limit.
+"""Runs the splash with a limit of address space, a number of MiB above the use before the task.
+Tasks: "update" to step 3, "save" and "load" the state of step 3. Prints the errors of the task, of
+the same task without the limit, and the hash of the skin.
 
-Run: python3 memory_program.py <MiB> (test_limits.py does)
+Run: python3 memory_program.py TASK MiB FILE (test_limits.py does)
 """
 
 import resource
@@ -20,18 +21,44 @@ def limit_memory(more):
     resource.setrlimit(resource.RLIMIT_AS, (used + more, resource.RLIM_INFINITY))
 
 
+def fill_memory(room):
+    """Takes all memory but the given number of bytes, in blocks of 512 bytes: also the memory that
+    the program has freed before. Returns the blocks, as pairs of a block and the blocks before."""
+    blocks = None
+    try:
+        while True:
+            blocks = (bytes(512), blocks)
+    except MemoryError:
+        for _ in range(room // 512):
+            blocks = blocks[1]
+    return blocks
+
+
 def main():
     _, surface = splash()
     surface.SetVoxelSize(0.018)
     surface.SetNumberOfThreads(2)
     # Starts the threads now: glibc ends a program that has no memory for a thread's own variables.
     surface.UpdateTimeStep(0)
+    task, more, file = sys.argv[1:]
+    tasks = {
+        "update": lambda: surface.UpdateTimeStep(3),
+        "save": lambda: surface.SaveState(file),
+        "load": lambda: surface.LoadState(file),
+    }
+    if task != "update":
+        surface.UpdateTimeStep(3)
+        surface.SaveState(file)
     listener = Listener(surface)
-    limit_memory(int(float(sys.argv[1]) * 2**20))
-    surface.UpdateTimeStep(3)
+    room = int(float(more) * 2**20)
+    limit_memory(room)
+    blocks = fill_memory(room) if task != "update" else None
+    tasks[task]()
+    del blocks
     said = [sentence_of(error) for error in listener.errors]
     resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
     listener.forget()
+    tasks[task]()
     surface.UpdateTimeStep(3)
     contents = Contents()
     contents.outputs(surface)

@@ -274,12 +274,17 @@ class Frames(unittest.TestCase):
 
 @unittest.skipIf(IS_SANITIZED, "the sanitizer uses terabytes of addresses")
 class Memory(unittest.TestCase):
-    def test_whatever_there_is(self):
-        """One error message, and the skin of a normal run once memory suffices."""
+    def refused(self, task, limits):
+        """Runs the task with each limit [MiB]: at most one error, and the skin of a normal run once
+        memory suffices. Returns the errors."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        program = str(Path(__file__).with_name("memory_program.py"))
+        file = str(Path(folder.name) / "state.vdb")
         told, hashes = [], set()
-        for more in (0.5, 2, 4, 7, 11, 16, 24, 48, 1000):
+        for more in limits:
             ran = subprocess.run(
-                [sys.executable, str(Path(__file__).with_name("memory_program.py")), str(more)],
+                [sys.executable, program, task, str(more), file],
                 capture_output=True,
                 text=True,
                 check=False,
@@ -291,9 +296,21 @@ class Memory(unittest.TestCase):
             told += said
             hashes.add(found)
         self.assertEqual(len(hashes), 1, "the same skin in the end")
+        return told
+
+    def test_update(self):
+        told = self.refused("update", (0.5, 2, 4, 7, 11, 16, 24, 48, 1000))
         self.assertGreater(len(told), 2, "some were refused")
         for sentence in told:
             self.assertRegex(sentence, "not enough memory|pthread_create has failed")
+
+    def test_state(self):
+        for task in ("save", "load"):
+            # With more memory, Blosc crashes: it does not check its own allocations.
+            told = self.refused(task, (0.1, 0.3))
+            self.assertEqual(len(told), 2, task)
+            for sentence in told:
+                self.assertRegex(sentence, "not enough memory to save or load the state")
 
 
 class Names(unittest.TestCase):

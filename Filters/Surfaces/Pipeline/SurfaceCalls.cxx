@@ -1,6 +1,7 @@
 // Calls of the filter other than VTK's pipeline requests, and the check of the filter's inputs.
 
 #include "NarrowBand.h"
+#include "Pipeline/RankedRequest.h"
 #include "Pipeline/SurfaceRequests.h"
 
 #include "vtkDataObject.h"
@@ -9,6 +10,14 @@
 
 namespace activesurface
 {
+
+namespace
+{
+
+constexpr const char* NoMemoryForState = "There is not enough memory to save or load the state; "
+                                         "free memory, or save and load on a larger machine.";
+
+}
 
 vtkGridPotential* SurfaceRequests::GetSkinFunction()
 {
@@ -64,14 +73,25 @@ void SurfaceRequests::SaveState(const std::string& file)
       WriteState(file, state);
     }
   };
-  RunTogether(this->Ranks, write);
+  RunTogether(this->Ranks,
+    [&]
+    {
+      RunWithinMemory(
+        write, [] {}, NoMemoryForState);
+    });
 }
 
 void SurfaceRequests::LoadState(const std::string& file)
 {
   this->Update.Refuse("LoadState");
   SavedState state;
-  RunTogether(this->Ranks, [&] { state = ReadState(file); });
+  const auto read = [&] { state = ReadState(file); };
+  RunTogether(this->Ranks,
+    [&]
+    {
+      RunWithinMemory(
+        read, [] {}, NoMemoryForState);
+    });
   this->Simulation.SetState(state);
   this->Clock.Resume(this->Simulation.ListTimesToResume());
 }

@@ -7,6 +7,7 @@
 
 #include <openvdb/io/File.h>
 
+#include <new>
 #include <stdexcept>
 
 namespace activesurface
@@ -46,6 +47,10 @@ void WriteState(const std::string& file, const SavedState& state)
     ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not report a full disk
     replacement.Finish();
   }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
   catch (const std::exception& error)
   {
     throw std::runtime_error("The state cannot be written to " + file + ": " + error.what() +
@@ -63,6 +68,10 @@ SavedState ReadState(const std::string& file)
       throw std::runtime_error("the values of its grid are not floats");
     }
     return ReadSavedGrid(*grid);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {

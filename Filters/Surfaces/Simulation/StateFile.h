@@ -10,11 +10,11 @@
 namespace activesurface
 {
 
-// Throws std::runtime_error if there is no state or the file cannot be written. An existing file is
-// then kept.
+// Throws std::runtime_error if there is no state or the file cannot be written, and std::bad_alloc.
+// An existing file is then kept.
 void WriteState(const std::string& file, const SavedState& state);
 
-// Throws std::runtime_error if the file cannot be read or contains no state.
+// Throws std::runtime_error if the file cannot be read or contains no state, and std::bad_alloc.
 SavedState ReadState(const std::string& file);
 
 }
