@@ -87,23 +87,14 @@ TargetLimits BandState::FollowTarget(
     return {};
   }
   target.MoveTo(this->Time);
-  this->Backup.Forget();
-  try
+  if (motion.CreateParts && target.HasRegions())
   {
-    if (motion.CreateParts && target.HasRegions())
-    {
-      this->CreateParts(motion, target, report);
-    }
-    const TargetLimits limits =
-      activesurface::FollowTarget(this->GetFollower(), motion, move.MaySkip, target, report);
-    move.IsSkipped = this->Set.Active.empty();
-    return limits;
+    this->CreateParts(motion, target, report);
   }
-  catch (...)
-  {
-    this->Restore();
-    throw;
-  }
+  const TargetLimits limits =
+    activesurface::FollowTarget(this->GetFollower(), motion, move.MaySkip, target, report);
+  move.IsSkipped = this->Set.Active.empty();
+  return limits;
 }
 
 /** Restores the band of the backup, if there is one. */
@@ -184,6 +175,20 @@ void BandState::RestoreControlled(const Motion& motion)
 }
 
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+{
+  this->Backup.Forget();
+  try
+  {
+    this->TryStep(motion, target, report, move);
+  }
+  catch (...)
+  {
+    this->Restore();
+    throw;
+  }
+}
+
+void BandState::TryStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   CheckObstacle(this->Leaves, motion.Solid);
   WalledTarget walled(target, motion.Box, motion.Solid);

@@ -126,7 +126,9 @@ private:
   void Restore();
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
+  /** Makes an explicit substep. An error takes back the parts that the substep has created. */
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void TryStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void AdvanceOnNodes(double end, const Motion& motion, Target& target, AdvanceReport& report);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);

@@ -101,4 +101,19 @@ TEST(TestFailedSubsteps, AnErrorAfterABirthTakesTheBirthBack)
   EXPECT_EQ(band.Pack(), before->Pack());
 }
 
+TEST(TestFailedSubsteps, ATooSmallStepTakesTheBirthBack)
+{
+  Motion motion = MakeMotion(1.0, .001);
+  motion.CreateParts = true;
+  motion.LongestStep = 1e-60;
+  NarrowBand band(H);
+  StartOn(band, MakeBall({ .55, .5, .5 }, .3));
+  const auto before = band.Clone();
+  FailingTarget target(MakeBirths(), nullptr);
+  EXPECT_TRUE(Fails(band, .05, motion, target));
+  EXPECT_EQ(band.GetWork().CreatedParts, 2u) << "before the error";
+  EXPECT_EQ(band.GetTime(), 0.0);
+  EXPECT_TRUE(AreIdentical(*before, band));
+}
+
 }
