@@ -3,9 +3,13 @@
 
 #include "FuzzData.h"
 
+#include "Base/NodeTarget.h"
 #include "Simulation/TargetBuilder.h"
+#include "Targets/InputData.h"
 #include "Targets/InputShape.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -64,19 +68,45 @@ void SetProperties(FuzzInput& input, SurfaceSettings& settings)
   settings.Parameters.CreateParts = true;
 }
 
-void AskTarget(MovingTarget& target)
+void EvaluateLeaves(const NodeTarget& target, const Shell& shell)
+{
+  float values[512];
+  LeafMotion motion;
+  for (const ShellLeaf& leaf : shell.Leaves)
+  {
+    target.EvaluateLeaf(leaf, values);
+    for (int node = 0; node < 512; ++node)
+    {
+      if (leaf.Rows >> node / 8 & 1 && std::isnan(values[node]))
+      {
+        std::abort();
+      }
+    }
+    target.FindMotion(leaf, motion);
+    target.IsInside(leaf.Origin);
+  }
+}
+
+void EvaluateTarget(MovingTarget& target)
 {
   constexpr double Near = 0.7;
   constexpr std::size_t count = 4;
   const double points[3 * count] = { Center, Center, Center, Center + Near, Center, Center,
     Center - Near, Center + Near, Center, Center, Center - Near, Center + Near };
-  double values[count], slopes[count], velocities[3 * count], weights[count];
+  double values[count], slopes[count];
   target.MoveAlong(0, 0.0, 1.0);
   for (const double time : { 0.0, 0.4, 1.0 })
   {
     target.MoveTo(time);
-    target.Evaluate(count, points, { values, slopes, velocities, weights });
+    target.Evaluate(count, points, { values, slopes });
     target.VisitRegions(0, target.CountRegionSources(), [](const TargetRegion&) {});
+  }
+  if (NodeTarget* nodes = target.GetNodes())
+  {
+    Shell shell;
+    nodes->PlaceNodes({ 0.0, 0.4, 1.0, 0.5 });
+    nodes->FindShell(true, shell);
+    EvaluateLeaves(*nodes, shell);
   }
 }
 
@@ -104,7 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (builder.GetDomain())
     {
       builder.StartTarget();
-      AskTarget(*builder.GetMovingTarget());
+      EvaluateTarget(*builder.GetMovingTarget());
     }
   }
   catch (const std::invalid_argument&)

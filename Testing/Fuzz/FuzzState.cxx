@@ -2,6 +2,7 @@
 
 #include "FuzzInput.h"
 
+#include "NarrowBand.h"
 #include "Simulation/StateFile.h"
 #include "Surface/Skin.h"
 

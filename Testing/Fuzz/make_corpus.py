@@ -12,6 +12,7 @@ from active_implicit_surfaces import (
     vtkActiveImplicitSurface,
     vtkActiveVDBWriter,
 )
+from active_implicit_surfaces.data_objects import as_particles
 from same_bytes_shapes import add_array, ball
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -24,6 +25,16 @@ def small_ball():
     surface = vtkActiveImplicitSurface()
     surface.SetTargetFunction(ball(0.6, (3, 3, 3)))
     surface.SetModelBounds(2, 4, 2, 4, 2, 4)
+    surface.SetVoxelSize(0.3)
+    surface.UpdateTimeStep(0.2)
+    return surface
+
+
+def small_drop():
+    """A skin of two particles, in the node scheme."""
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputDataObject(as_particles([[3, 3, 3], [3.5, 3, 3]]))
+    surface.SetParticleSpacing(0.6)
     surface.SetVoxelSize(0.3)
     surface.UpdateTimeStep(0.2)
     return surface
@@ -68,6 +79,7 @@ def main():
     write_grids(folders["FuzzVDB"])
     write_pictures(folders["FuzzEXR"])
     assert small_ball().SaveState(str(folders["FuzzState"] / "ball.vdb"))
+    assert small_drop().SaveState(str(folders["FuzzState"] / "drop.vdb"))
     write_bytes(folders["FuzzPacked"], size=60)
     write_bytes(folders["FuzzShapes"])
     write_bytes(folders["FuzzTarget"])
