@@ -72,6 +72,7 @@ public:
   // partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
+  // Throws std::runtime_error if the kernels cover more than 10^10 voxels.
   void FindShell(bool wantsInside, Shell& shell) const;
   bool IsInside(const NodeIndex& node) const;
 
@@ -92,6 +93,9 @@ private:
   void FindFits();
   double GetOwnRadius(const SkeletonVertex& particle) const;
   double FindShellRadius(const SkeletonVertex& particle) const;
+  template <class Visit>
+  void VisitBoxes(bool wantsInside, Visit&& visit) const;
+  void CheckNumberOfLeaves(bool wantsInside) const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
   ShellLeaf FindRows(const NodeIndex& origin) const;
   const ParticleRuns& ListNear(const NodeIndex& origin, double size, double reach,

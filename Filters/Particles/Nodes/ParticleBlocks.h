@@ -50,6 +50,19 @@ struct CellMask
     return any != 0;
   }
 
+  // Calls visit(x, y, z) for each cell of the mask.
+  template <class Visit>
+  void ForEach(Visit&& visit) const
+  {
+    for (int n = 0; n < 512; ++n)
+    {
+      if (this->Has(n / 64, n / 8 % 8, n % 8))
+      {
+        visit(n / 64, n / 8 % 8, n % 8);
+      }
+    }
+  }
+
   // Dilates this mask by one cell in both directions of an axis. before, after: the masks of the
   // adjacent blocks on this axis.
   CellMask Widen(const CellMask& before, const CellMask& after, int axis) const
@@ -152,13 +165,14 @@ public:
     return static_cast<int>(std::min(std::max(cell, -farthest), farthest));
   }
 
-  // Returns the cells that may contain the surface.
-  static CellMask ShellOf(const Block& block)
+  // Returns the cells that may contain the surface and, with hasInside, the full cells.
+  static CellMask ShellOf(const Block& block, bool hasInside = false)
   {
     CellMask shell;
     for (int x = 0; x < 8; ++x)
     {
-      shell.Word[x] = block.Occupied.Word[x] & block.Open.Word[x];
+      const std::uint64_t full = hasInside ? ~block.Open.Word[x] : 0;
+      shell.Word[x] = (block.Occupied.Word[x] & block.Open.Word[x]) | full;
     }
     return shell;
   }

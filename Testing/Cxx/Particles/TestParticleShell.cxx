@@ -3,6 +3,7 @@
 
 #include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
+#include "Support/Throws.h"
 
 #include "ParticleNodes.h"
 
@@ -216,6 +217,33 @@ TEST(TestParticleShell, HoldsWhatIsNearTheSkin)
     Check(MakeBlock(5, false), voxelSize, 3.0);
     Check(MakeBlock(6, true), voxelSize, 3.0);
     Check(MakeSpray(60), voxelSize, 3.0);
+  }
+}
+
+// Leaves are then listed cell by cell.
+TEST(TestParticleShell, HoldsWhatIsNearTheSkinWithCellsWiderThanLeaves)
+{
+  Cloud cloud;
+  Add(cloud, 0.3, 0.1, 0.4);
+  Check(cloud, R / 6.0, 3.0);
+  Add(cloud, 1.1, 0.2, 0.3);
+  Check(cloud, R / 6.0, 3.0);
+}
+
+TEST(TestParticleShell, RefusesParticlesOfTooManyVoxels)
+{
+  Cloud cloud;
+  Add(cloud, 0.0, 0.0, 0.0);
+  for (const double voxelsPerRadius : { 1e3, 1e6, 1e12 })
+  {
+    NodeParticleOptions options;
+    options.VoxelSize = R / voxelsPerRadius;
+    options.OwnRadius = R;
+    ParticleNodes nodes;
+    nodes.Build(ParticlesAtRest(cloud), options);
+    Shell shell;
+    EXPECT_TRUE(
+      Throws<std::runtime_error>([&] { nodes.FindShell(false, shell); }, "enlarge VoxelSize"));
   }
 }
 
