@@ -24,6 +24,7 @@ from . import vtk_build
 
 # Cells of meshio that are faces of a surface.
 _FACES = ("triangle", "quad", "polygon")
+_BOX = ("Lattice", "Origin", "pbc")  # field data of particles in a periodic box
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
@@ -31,7 +32,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
     """Returns points and their arrays as a vtkPolyData; shares the memory of arrays if possible.
 
     - particles (array (n, 3), vtkPointSet, or an object with `points` or `vertices`): all points
-      are used; cells are left out.
+      are used; cells are left out, and field data other than a periodic box.
     - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
       "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
 
@@ -42,6 +43,8 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
     cloud.SetPoints(points)
     if own is not None:
         cloud.GetPointData().ShallowCopy(own)
+        for array in filter(None, map(particles.GetFieldData().GetArray, _BOX)):
+            cloud.GetFieldData().AddArray(array)
     for name, values in {**_point_data(particles), **arrays}.items():
         if values is not None:
             add_array(cloud, STANDARD_NAMES.get(name, name), values)

@@ -331,6 +331,13 @@ class Files(CommandTest):
         surface = active.frames(str(self.folder / "p.xyz"), periodic=True).surface
         self.assertEqual(surface.GetPeriodicBounds(), BOX)
 
+    def test_the_box_stays_with_selected_and_converted_particles(self):
+        self.write("2 0 0 0 2 0 0 0 5", "2 0 0 0 2 0 0 0 5")
+        self.succeed("convert", "p.xyz", "-o", "p_#.vtp")
+        for name in ("p.xyz", "p_*.vtp"):
+            way = active.frames(str(self.folder / name), where="z<9", periodic=True)
+            self.assertEqual(way.surface.GetPeriodicBounds(), BOX)
+
     def test_boxes_of_molecules(self):
         """A .dump and a .gro give the skin of the .xyz. In the .gro z is periodic too."""
         atom = "    1SOL     OW    1{:8.3f}{:8.3f}{:8.3f}"
