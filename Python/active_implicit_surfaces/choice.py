@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from .data_objects import add_array, array_names, copy_of, has_polygons, output_of, texts_of
 from .messages import few, warn
@@ -269,7 +269,7 @@ def _labels_in(data: Any) -> Any:
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
-    """Removes the particles of clusters of fewer than `minimum` particles.
+    """Removes the particles of clusters of fewer than `minimum` particles; keeps their order.
 
     Neighbours in a cluster are at most 1.5 spacings apart. Without a spacing, all particles stay.
     """
@@ -277,11 +277,14 @@ def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
 
     if cloud.GetNumberOfPoints() == 0 or not 0 < spacing < float("inf"):
         return cloud
-    clusters = vtkEuclideanClusterExtraction()
+    numbers = numpy.arange(cloud.GetNumberOfPoints())
+    bare, clusters = vtkPolyData(), vtkEuclideanClusterExtraction()
+    bare.SetPoints(cloud.GetPoints())
+    add_array(bare, _MARK, numbers)
     clusters.SetRadius(_LINK * spacing)
     clusters.SetExtractionModeToAllClusters()
     clusters.ColorClustersOn()
-    found = output_of(clusters, cloud)
-    ids = vtk_to_numpy(found.GetPointData().GetArray("ClusterId"))
-    found.GetPointData().RemoveArray("ClusterId")
-    return _marked(found, (numpy.bincount(ids)[ids] >= minimum).astype("u1"), False)
+    found = output_of(clusters, bare).GetPointData()  # in another order
+    ids = vtk_to_numpy(found.GetArray("ClusterId"))
+    kept = vtk_to_numpy(found.GetArray(_MARK))[numpy.bincount(ids)[ids] >= minimum]
+    return _marked(cloud, numpy.isin(numbers, kept).astype("u1"), False)

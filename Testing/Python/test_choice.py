@@ -93,6 +93,12 @@ class Conditions(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, "a cluster of 126 or more"):
                     active.frames([points], **arguments)
 
+    def test_particles_keep_their_order(self):
+        """Without ids, the filter matches particles of two frames by their order."""
+        points = numpy.random.default_rng(1).permutation(numpy.vstack([grid(), [[9.0, 9, 9]]]))
+        kept = choice.without_small_pieces(as_particles(points), 2, 0.1)
+        numpy.testing.assert_array_equal(points_of(kept), points[points[:, 0] < 9])
+
     def test_python_functions(self):
         frames = [as_particles(grid() + step, kind=numpy.arange(125) % 2) for step in range(2)]
         way = active.frames(frames, where="kind=1", particle_spacing=0.1)
