@@ -219,7 +219,7 @@ def labels_of(data: Any) -> list[int]:
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
         raise ValueError("There are no labels: the values are texts; select by --where label=NAME.")
-    if values.dtype.kind not in "iu" and not numpy.array_equal(values, values.round()):
+    if not are_whole(values):
         raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
     if len(values) > _MOST_LABELS:
         raise ValueError(
@@ -227,6 +227,11 @@ def labels_of(data: Any) -> list[int]:
             f"than {_MOST_LABELS}; leave label out."
         )
     return [int(value) for value in values if value != 0 or not data.IsA("vtkImageData")]
+
+
+def are_whole(numbers: Any) -> bool:
+    """Returns True if all numbers are whole, none infinite or NaN."""
+    return bool(numpy.isfinite(numbers).all() and (numbers == numbers.round()).all())
 
 
 def _choose_label(data: Any, label: int) -> Any:

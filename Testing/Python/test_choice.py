@@ -190,6 +190,14 @@ class Labels(CommandTest):
         told = json.loads(self.succeed("info", "map.vti", "--labels", "all", "--json").out)
         self.assertEqual(list(told), ["label 3", "label 5", "label 9"])
 
+    def test_infinite_values_are_no_labels(self):
+        values = numpy.zeros((4, 4, 4))
+        values[1, 1, 1:3] = 3, numpy.inf
+        write(vtkXMLImageDataWriter(), image_of(values), self.folder / "far.vti")
+        self.assertNotIn("labels", json.loads(self.succeed("info", "far.vti", "--json").out))
+        said = self.fail_with(1, "convert", "far.vti", "--label", "all", "-o", "f_#.ply")
+        self.assertIn("the values are not whole numbers", said)
+
     def test_skins_of_particles(self):
         points = numpy.vstack([grid(), grid(4) + 2])
         labels = [7] * 125 + [2] * 64

@@ -14,7 +14,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ..choice import choose, labels_of, note_once
+from ..choice import are_whole, choose, labels_of, note_once
 from ..data_objects import array_names, finite_points, texts_of
 from ..file_names import expand, suffix_of
 from ..measures import measure
@@ -196,7 +196,7 @@ def _labels(image: Any) -> dict[str, Any]:
     if values is None or values.ndim > 1:
         return {}
     labels, counts = numpy.unique(values[values != 0], return_counts=True)
-    if len(labels) > _MOST_LABELS or not numpy.array_equal(labels, labels.round()):
+    if len(labels) > _MOST_LABELS or not are_whole(labels):
         return {}
     names = (str(int(label)) for label in labels)
     return {"labels": dict(zip(names, counts.tolist()))}
