@@ -190,6 +190,12 @@ class Labels(CommandTest):
         told = json.loads(self.succeed("info", "map.vti", "--labels", "all", "--json").out)
         self.assertEqual(list(told), ["label 3", "label 5", "label 9"])
 
+    def test_an_image_without_labels(self):
+        write(vtkXMLImageDataWriter(), image_of(numpy.zeros((4, 4, 4))), self.folder / "none.vti")
+        for command in ("convert", "skin"):
+            said = self.fail_with(1, command, "none.vti", "--label", "all", "-o", "n_#.ply")
+            self.assertIn("no label except 0", said)
+
     def test_infinite_values_are_no_labels(self):
         values = numpy.zeros((4, 4, 4))
         values[1, 1, 1:3] = 3, numpy.inf

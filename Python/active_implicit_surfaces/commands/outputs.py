@@ -46,6 +46,7 @@ def each_label(
     """Yields the options of one run per label, with own output names; without labels, of one run.
 
     `find` returns all labels; `default` is the output's name if neither -o nor --render is given.
+    Raises OSError if `find` returns no label.
     """
     if not (options.output or getattr(options, "render", None)):
         options.output = default
@@ -53,6 +54,8 @@ def each_label(
         yield Namespace(**vars(options), label=None)
         return
     labels = find() if options.labels == "all" else options.labels
+    if not labels:
+        raise OSError("The data have no label except 0; leave --label out, or choose other files.")
     for label in labels:
         own = Namespace(**vars(options), label=label)
         for key in ("output", "render", "index", "history", "plot"):
