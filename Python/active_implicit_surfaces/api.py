@@ -19,7 +19,7 @@ from .presets import (
     series_spacing,
 )
 from .probing import ProbedAtoms
-from .runner import Skins, update
+from .runner import Skins, check_mode, update
 from .series import ParticleSeries, TemporalSource
 from .times import times_between
 
@@ -226,6 +226,7 @@ class frames(Skins):
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
         own = self.source.times
+        check_mode(self.surface, len(own))
         self.times = own if output_fps is None else times_between(own, output_fps)
         self._progress = progress
         self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None

@@ -12,7 +12,7 @@ from . import properties, vtkActiveImplicitSurface
 from .contours import as_level_set, level_of_series
 from .data_objects import as_shape, copy_of, is_vtk, vtk_points
 from .messages import warn
-from .runner import Skins
+from .runner import Skins, check_mode
 
 FITS = ("none", "centre", "box")
 _FAR = 1.5  # largest ratio of the shapes' sizes without a warning
@@ -113,6 +113,7 @@ class morph(Skins):
         options = properties.given(options)
         self._connect(a, b, fit, not {"target_iso_value", "invert_target"} & set(options))
         properties.put(self.surface, options)
+        check_mode(self.surface, frames)
         self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
         if "attraction" not in options:
             self.surface.SetArrivalTime(duration)

@@ -97,6 +97,15 @@ class Skins:
         return self.surface.GetOutput()
 
 
+def check_mode(surface: Any, count: int) -> None:
+    """Raises ValueError for several frames with EQUILIBRIUM, in which the filter has no time."""
+    if count > 1 and surface.GetEvolutionMode() == surface.EQUILIBRIUM:
+        raise ValueError(
+            f"evolution_mode equilibrium makes one skin, of the first frame, but there are {count} "
+            "frames; give one frame, or leave evolution_mode out."
+        )
+
+
 def update(surface: Any, time: float, source: Any = None) -> None:
     """Updates a filter to a time; raises the source's exception, or a ValueError of the filter."""
     with listening(*filter(None, (surface, source))) as heard:

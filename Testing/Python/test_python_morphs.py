@@ -118,6 +118,13 @@ class Morphs(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "a function has no box"):
             active.morph(cube(), vtkSphere(), fit="box")
 
+    def test_a_steady_state_has_no_frames(self):
+        mode = {"evolution_mode": "equilibrium"}
+        for make, data in ((active.morph, (cube(), ball())), (active.frames, [moving_grid(2)])):
+            with self.assertRaisesRegex(ValueError, "equilibrium makes one skin"):
+                make(*data, **mode)
+        self.assertEqual(len(list(active.frames(moving_grid(1), **SPACING, **mode))), 1)
+
     def test_what_is_no_morph(self):
         for arguments, words in (
             (dict(duration=0), "duration"),
