@@ -229,6 +229,8 @@ class Skins(unittest.TestCase):
         for said, options in cases:
             with self.subTest(said), self.assertRaisesRegex(ValueError, said):
                 active.skin(centers, **options)
+        with self.assertRaisesRegex(TypeError, "no property 'fps'"):
+            active.skin(centers, radii=radii, probe=1.4, fps=10)
         few = mock.patch.object(solvent, "MOST_PAIRS", 1000)
         with few, self.assertRaisesRegex(ValueError, "touches too many atoms"):
             active.skin(centers, radii=radii, probe=50.0)
