@@ -234,8 +234,10 @@ def array_names(attributes: Any) -> list[str]:
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
     """Adds an array to the points, or to `attributes`; shares the memory of numbers if possible.
 
-    Texts become a vtkStringArray.
+    Texts become a vtkStringArray, masked numbers NaN.
     """
+    if numpy.ma.is_masked(values) and values.dtype.kind in "biuf":
+        values = _without_mask(values)
     numbers = numpy.ascontiguousarray(values)
     if numbers.dtype == object and all(isinstance(value, str) for value in numbers.flat):
         numbers = numbers.astype(str)

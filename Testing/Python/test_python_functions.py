@@ -84,6 +84,10 @@ class Particles(unittest.TestCase):
             half = active.skin(positions, **SPACING)
         wanted = active.skin(positions.compressed().reshape(-1, 3), **SPACING)
         self.assertEqual(bytes_of(half), bytes_of(wanted))
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "left out"):
+            half = active.skin(grid(), radii=positions[:, 0] * 0 + 0.06)
+        wanted = active.skin(grid()[grid()[:, 0] < 0.25], radii=numpy.full(75, 0.06))
+        self.assertEqual(bytes_of(half), bytes_of(wanted))
 
     def test_pyvista_comes_out_where_pyvista_went_in(self):
         pyvista = types.ModuleType("pyvista")
