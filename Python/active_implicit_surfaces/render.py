@@ -105,7 +105,7 @@ def write_exr(
     renderer = options.get("renderer") or _renderer_of(window)
     origin = options["origin"]
     to_camera, to_picture = camera_matrices(renderer, origin)
-    if origin:
+    if origin is not None:
         writer.AddAttribute("worldOrigin", " ".join(f"{value:.17g}" for value in origin))
     writer.SetWorldToCamera(to_camera)
     writer.SetWorldToNDC(to_picture)
@@ -186,7 +186,8 @@ def capture(
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
         raise ValueError("The renderer does not fill the window; call SetViewport(0, 0, 1, 1).")
-    settings = velocity, frame_duration, camera_after, far, origin or (0.0, 0.0, 0.0)
+    place = (0.0, 0.0, 0.0) if origin is None else origin
+    settings = velocity, frame_duration, camera_after, far, place
     if apart is None:
         return _image(window, _layers(window, renderer, *settings))
     with _only(renderer, lambda actor: actor not in apart.values()):
@@ -274,7 +275,7 @@ def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any
     to_camera = numpy.diag([1.0, 1.0, -1.0, 1.0]) @ _numbers(camera.GetViewTransformMatrix())
     to_unit = numpy.array([[0.5, 0, 0, 0.5], [0, -0.5, 0, 0.5], [0, 0, 1, 0], [0, 0, 0, 1]])
     moved = numpy.eye(4)
-    moved[:3, 3] = origin or 0.0
+    moved[:3, 3] = 0.0 if origin is None else origin
     to_picture = to_unit @ _projection(renderer, camera)
     return _matrix(to_camera @ moved), _matrix(to_picture @ moved)
 

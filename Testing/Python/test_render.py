@@ -301,6 +301,14 @@ class Layers(unittest.TestCase):
         self.assertAlmostEqual((1 - y / w) * HEIGHT, pixel // WIDTH + 0.5, delta=1e-3)
         self.assertAlmostEqual((to_camera @ place)[2], made["Z"][pixel], delta=1e-5)
 
+    def test_an_origin_is_any_sequence(self):
+        window, origin = window_with(self.moved_ball()), (1.0, 2.0, 3.0)
+        wanted = layers_of(render.write_exr(window, self.folder / "a.exr", origin=origin))["P"]
+        given = render.write_exr(window, self.folder / "b.exr", origin=numpy.array(origin))
+        numpy.testing.assert_array_equal(layers_of(given)["P"], wanted)
+        one, other = ((self.folder / name).read_bytes() for name in ("a.exr", "b.exr"))
+        self.assertEqual(one, other)
+
     def test_the_window_is_left_as_it_was(self):
         window = window_with(self.moved_ball())
         window.SetMultiSamples(4)
