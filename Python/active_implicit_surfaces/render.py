@@ -105,8 +105,9 @@ def write_exr(
     renderer = options.get("renderer") or _renderer_of(window)
     origin = options["origin"]
     to_camera, to_picture = camera_matrices(renderer, origin)
-    if origin is not None:
-        writer.AddAttribute("worldOrigin", " ".join(f"{value:.17g}" for value in origin))
+    if origin is not None or hasattr(writer, "world_origin"):  # or the writer has an earlier one
+        writer.world_origin = (0.0, 0.0, 0.0) if origin is None else tuple(origin)
+        writer.AddAttribute("worldOrigin", " ".join(f"{x:.17g}" for x in writer.world_origin))
     writer.SetWorldToCamera(to_camera)
     writer.SetWorldToNDC(to_picture)
     written, apart = image, options.get("apart")

@@ -308,6 +308,12 @@ class Layers(unittest.TestCase):
         numpy.testing.assert_array_equal(layers_of(given)["P"], wanted)
         one, other = ((self.folder / name).read_bytes() for name in ("a.exr", "b.exr"))
         self.assertEqual(one, other)
+        writer = vtkActiveEXRWriter()
+        for name, place, said in (("c.exr", origin, b"1 2 3"), ("d.exr", None, b"0 0 0")):
+            render.write_exr(window, self.folder / name, origin=place, writer=writer)
+            content = (self.folder / name).read_bytes()
+            start = content.index(b"worldOrigin")
+            self.assertIn(said, content[start : start + 40])
 
     def test_the_window_is_left_as_it_was(self):
         window = window_with(self.moved_ball())
