@@ -109,7 +109,7 @@ class frames(Skins):
 
     Parameters
     ----------
-    particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
+    particles : iterable of particles or files, pattern of files, ParticleSeries, or callable(time)
         See ParticleSeries; give times, fps and where to a ParticleSeries itself. Images are masks
         of a label, volume fractions (inside above 0.5) or distances (inside below 0); for other
         images set ``target_iso_value`` and ``invert_target``.

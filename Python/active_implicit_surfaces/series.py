@@ -175,7 +175,7 @@ class ParticleSeries(TemporalSource):
 
     Parameters
     ----------
-    frames : iterable of particles, pattern or list of files, or callable(time)
+    frames : iterable of particles or of files, one file, pattern or folder, or callable(time)
         Particles in a form that `as_particles` accepts, or images; files as for `active-surface
         skin`.
     times : sequence of float, optional
@@ -236,10 +236,11 @@ def _loader(
         own = check_times(times)
         first = frames(own[0])
         return lambda step: frames(own[step]) if step else first, own, _kind_of(first)
-    if isinstance(frames, (str, Path)) or _are_paths(frames):
-        files = open_particles(frames, fps=fps, times=times)
+    is_whole = isinstance(frames, (Sequence, Path)) or hasattr(frames, "shape")
+    held = frames if is_whole else list(frames)
+    if isinstance(held, (str, Path)) or _are_paths(held):
+        files = open_particles(held, fps=fps, times=times)
         return files.load, files.times, files.kind
-    held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
         raise ValueError(
             f"There are {len(times)} times for {len(held)} frames; give one time for each frame."

@@ -241,6 +241,7 @@ class Series(unittest.TestCase):
         skins = active.frames(DROP)
         self.assertEqual(len(skins), 41)
         self.assertEqual(active.ParticleSeries(Path(DROP), fps=10).times[-1], 4.0)
+        self.assertEqual(len(active.ParticleSeries(Path(DROP).parent.glob("sph_drop.vtp"))), 41)
 
     def test_progress(self):
         told = []
