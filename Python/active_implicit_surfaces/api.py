@@ -51,7 +51,7 @@ def skin(
     radii : array (n,) or str, optional
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of a point array; particles of weight 0 add nothing.
+        Weight of each particle, or the name of a point array; weights of 0 or less give no skin.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -64,8 +64,8 @@ def skin(
     Returns
     -------
     vtkPolyData
-        Closed surface of triangles, by default with normals; a pyvista.PolyData if the particles
-        are PyVista's.
+        Closed surface of triangles (on several ranks, a part of it), by default with normals; a
+        pyvista.PolyData if the particles are PyVista's.
 
     Raises
     ------

@@ -35,7 +35,7 @@ def history(surface: Any) -> dict[str, Any]:
     Raises
     ------
     ValueError
-        There is no history yet.
+        There is no history yet, or this is another rank than rank 0.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     columns : sequence of str
         Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
         EulerCharacteristic, Outside. Default: Volume, Area, Components.
-    axes : matplotlib axes, optional
+    axes : sequence of matplotlib axes, optional
         One for each column. Default: a new figure of matplotlib.
 
     Returns

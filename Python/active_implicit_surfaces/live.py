@@ -29,7 +29,7 @@ class LiveSurface:
         A .vdb written by `save` in a run with the same options. The first call of `advance` then
         has to pass the particles of the saved time, and returns the saved skin.
     preset, arrays, **options
-        See `frames`.
+        See `frames`. An unknown keyword raises TypeError.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class LiveSurface:
             Wrong `dt`, value or array, or an error of the filter; the next call continues the
             motion.
         TypeError
-            Unknown keyword, or particles or a value of a wrong type.
+            Unknown key of `arrays`, or particles or a value of a wrong type.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")

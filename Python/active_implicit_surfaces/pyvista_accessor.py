@@ -41,7 +41,7 @@ class ActiveSurfaceAccessor:
         Returns
         -------
         pyvista.PolyData
-            Closed surface of triangles with normals.
+            Closed surface of triangles, by default with normals.
 
         Raises
         ------

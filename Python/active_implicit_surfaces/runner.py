@@ -13,7 +13,7 @@ from .messages import listening, warn
 
 
 class Frame(NamedTuple):
-    """Skin and its time."""
+    """Time, and the skin at this time."""
 
     time: float
     skin: Any

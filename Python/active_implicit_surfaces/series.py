@@ -47,7 +47,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
     output_type : str
         VTK class of the data. Default: "vtkPolyData".
     any_order : bool
-        `load` may be called for later steps before earlier ones. Default: False.
+        `load` may be called early for the middle and last step. Default: False.
 
     Attributes
     ----------
@@ -131,7 +131,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def use_usual_level(self) -> None:
         """Converts a series of masks to labels (1 inside), of other images to level sets (negative
-        inside), with one level for all.
+        inside), with one level for all, which follows from frames_that_tell().
 
         Particles are not changed. Raises ValueError if the images have several labels or no inside.
         """
@@ -192,7 +192,7 @@ class ParticleSeries(TemporalSource):
         Times do not increase, or are not one for each frame; times and fps are both given; no frame
         is given; a condition is malformed.
     TypeError
-        A callable is given without times.
+        A callable is given without times, or frames have a wrong type.
     OSError
         A file does not exist or cannot be read.
 
