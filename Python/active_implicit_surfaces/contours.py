@@ -27,8 +27,8 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError without scalars of one component, or for too many voxels. Warns of values that
-    are not finite.
+    Raises ValueError without scalars of one component, for a flat image, or for too many voxels.
+    Warns of values that are not finite.
     """
     from . import vtkActiveImplicitSurface
 
@@ -108,9 +108,9 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
 
 
 def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
-    """Returns a function that converts images of a series, by one rule for all.
+    """Returns a function that converts images of a series, by one rule from these `images`.
 
-    Masks (two values in the series) become labels, 1 inside; other images level sets, negative
+    Masks (two values in all `images`) become labels, 1 inside; other images level sets, negative
     inside. Raises ValueError like `level_of_series`.
     """
     own = [_at_pixels(one) for one in images]

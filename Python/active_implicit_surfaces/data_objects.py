@@ -36,7 +36,8 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
     - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
       "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
 
-    Raises TypeError for particles or arrays of a wrong type, ValueError for a wrong shape.
+    Raises TypeError for particles or arrays of a wrong type, and for uneven rows of positions;
+    ValueError for another wrong shape.
     """
     points, own = _points_of(particles)
     cloud = vtkPolyData()

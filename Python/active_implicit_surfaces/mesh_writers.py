@@ -62,7 +62,9 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
 
 
 def warn_of_losses(suffix: str, data: Any) -> None:
-    """Warns of data that a format cannot store, and names formats that can store the data."""
+    """Warns of point arrays and, except for .vdb, of cell arrays and lines that a format cannot
+    store, and names formats that can.
+    """
     found = [(role, name) for role, name, _ in _point_arrays(data)]
     found += [("cells", f"{name} (of cells)") for name in array_names(data.GetCellData())]
     if data.IsA("vtkPolyData") and data.GetNumberOfLines():
@@ -127,7 +129,8 @@ def _rounding(points: Any) -> float:
 def write_ply(path: Path, mesh: Any) -> None:
     """Writes points, polygons and numeric point arrays; vectors become name_x, name_y ...
 
-    Normals are nx, ny and nz, colours red, green, blue and alpha.
+    Vectors of more than 4 components become name_0, name_1 ..., normals nx, ny and nz, colours red,
+    green, blue and alpha.
     """
     columns = _columns(mesh)
     rows = numpy.empty(mesh.GetNumberOfPoints(), [(name, "<" + kind) for name, kind, _ in columns])

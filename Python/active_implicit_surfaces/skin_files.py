@@ -69,7 +69,7 @@ def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
 def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **settings: Any) -> None:
     """Writes a mesh in the format of the extension, atomically: completely or not at all.
 
-    Warns of arrays and lines that the format cannot hold.
+    Warns of losses as `warn_of_losses` does.
 
     - mesh (vtkPolyData; for a .vdb also vtkImageData): for a .vdb of a skin, pass the filter's own
       output, whose grid is then written.
@@ -112,8 +112,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     """Reads a mesh or an image; joins the file and `parts`, if any, into one mesh.
 
-    With `parts`, images are contoured. A file without points is an empty mesh. Raises OSError if a
-    file cannot be read, or holds data other than a mesh or an image.
+    With `parts`, images are contoured. A file of a mesh without points is an empty vtkPolyData.
+    Raises OSError if a file cannot be read, or holds data other than a mesh or an image.
     """
     if parts:
         return output_of(vtkAppendPolyData(), *map(_surface_in, (path, *parts)))
@@ -148,11 +148,11 @@ def _surface_in(path: Path) -> Any:
 
 
 def holds_particles(path: Path) -> bool | None:
-    """Returns True for particles, False for a mesh or image, None for no points (.vdb: True).
+    """Returns True for particles, False for a mesh or image, None for no points.
 
-    Particles: a vtkPolyData without polygons, or another point set whose cells are vertices.
-    If the extension allows only particles, or only meshes and images, the file is not read. Raises
-    OSError for an unknown extension, or if the file cannot be read.
+    Particles: a vtkPolyData without polygons, from a .vdb also without points, or another point set
+    whose cells are vertices. If the extension allows only particles, or only meshes and images, the
+    file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
