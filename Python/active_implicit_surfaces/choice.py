@@ -214,7 +214,7 @@ def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image except 0, or all labels of particles or a mesh.
 
     Raises ValueError if particles or a mesh have no array "label" or "labels", a value is no
-    integer, or there are more than a thousand distinct values.
+    integer (NaN, infinity), or there are more than a thousand distinct values.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":

@@ -217,7 +217,7 @@ def times_list(text: str) -> list[float]:
 
 
 def label_list(text: str) -> list[int] | str:
-    """Parses 3, 3,5 or all."""
+    """Parses labels: 3, or 3,5, or all."""
     try:
         return "all" if text == "all" else [int(part) for part in text.split(",")]
     except ValueError:

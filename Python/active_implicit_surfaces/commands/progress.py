@@ -21,7 +21,7 @@ class Progress(Sink):
         self.start = self.said = time.monotonic()
 
     def add(self, step: int, data: Any = None) -> None:
-        """Counts one more finished frame."""
+        """Counts the frames up to this step as finished."""
         self.done = step + 1
         now = time.monotonic()
         if self.quiet:
