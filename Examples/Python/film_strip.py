@@ -82,7 +82,7 @@ def colored(actor, array):
 def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor=None):
     """Writes rows of frames, a frame being a list of actors, seen by one camera that fits all.
 
-    view points from the scene to the camera; floor is a height at which there is one.
+    view points from the scene to the camera; floor is the height y of a floor, None for no floor.
     """
     actors = [actor for row in rows for frame in row for actor in frame]
     camera, aspect = _camera_that_fits(actors, view)
@@ -155,7 +155,7 @@ def _floor_actor(actors, height):
 
 
 def _camera_that_fits(actors, view):
-    """A camera in the direction `view`, and the width and height of its field of view."""
+    """A camera in the direction `view`, and the ratio of width to height of its field of view."""
     camera = vtkCamera()
     camera.SetPosition(view)
     camera.SetViewAngle(VIEW_ANGLE)

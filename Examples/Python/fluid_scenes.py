@@ -6,13 +6,14 @@
 Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3; the box has
 its corner at the origin, the size scene.size, and is open above. The scenes:
 
-    pool      at rest, ten layers deep; scene.drops are the ids of twelve drops above it, single
-              particles and pairs, of which half stand still and half fall
-    jitter    the pool without drops, each particle displaced by r / 10 in each direction, new in
-              each frame
+    pool      at rest, ten layers deep; scene.drops are the ids of the particles of twelve drops
+              above it, single particles and pairs, of which half stand still and half fall
+    jitter    the pool without drops, each particle displaced by up to r / 10 along each axis, new
+              in each frame
     slosh     the pool in a box that is shaken
-    splash    a ball falls into a pool; scene.size_of is a number of particles, 20,000 if not given
-    dam       a column of water breaks under a gravity of 14: particles go up to 24 r in a frame
+    splash    a ball falls into a pool; load_scene's size_of is about the number of particles,
+              default 20,000
+    dam       a column of water breaks under a gravity of 14: particles go up to 25 r in a frame
     fountain  a jet from a nozzle, new particles in each frame, falls into a basin, which drains
     rain      drops of 3 to 30 particles appear in the air and fall into a shallow pool
     sheet     a single layer, stretched until it tears; not by the solver
@@ -110,7 +111,7 @@ def pool(count=12):
 
 
 def _drops():
-    """Six drops that stand three to eight spacings above the pool, six that fall from forty."""
+    """Six drops that stand four to nine spacings above the pool, six that fall from 35 above."""
     places, falling = [], []
     for number in range(12):
         column, row = number % 4, number // 4

@@ -1,8 +1,8 @@
-"""A page in the browser: play particles and their skin, change six properties, save a frame.
+"""A page in the browser: play the skin of particles, change six properties, save a frame.
 
 Run: python3 viewer.py [FILE ...] [--port N] [--server]   (without FILE: a splash of 992 particles)
 
-Pictures are made here and sent, so that they look like those of `active-surface skin --render`.
+This program renders the pictures, so they look like those of `active-surface skin --render`.
 """
 
 import asyncio

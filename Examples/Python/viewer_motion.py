@@ -77,7 +77,7 @@ class Motion:
         return [(times.GetValue(i), volumes.GetValue(i)) for i in range(table.GetNumberOfRows())]
 
     def _estimate_spacing(self):
-        """Spacing of the first frame with particles, as in the filter."""
+        """Estimated spacing of the first frame that has at least two particles."""
         found = (estimate_spacing(self.files.load(step)) for step in range(len(self.times)))
         spacing = next((one for one in found if one > 0), 0.0)
         if spacing == 0:
