@@ -1,4 +1,4 @@
-"""Makes the small pictures of the pages, Examples/Pictures/*.jpg, of those that the examples wrote.
+"""Makes the small pictures of the pages, Examples/Pictures/*.jpg, from the examples' .png files.
 
 Run: python3 shrink_pictures.py FOLDER   (of the examples' --output)
 """

@@ -26,7 +26,7 @@ def output_folder(description):
 
 
 def save_moments(surface, times, picture):
-    """Saves a picture of views with one of the times each, which no animation changes."""
+    """Saves a picture of several views, one for each time; no animation changes a view's time."""
     layout = CreateLayout("Moments")
     cell = 0
     for i, time in enumerate(times):

@@ -1,4 +1,4 @@
-"""Grains fall on a moving skin and bounce off it: the skin is a function, the distance to it.
+"""Grains fall on a moving skin and bounce off, by the skin's function: the distance to the skin.
 
 Run: python3 collisions.py [--output FOLDER]
 """

@@ -1,4 +1,4 @@
-"""Drops that touch become one under tension; with VolumeControl (above) it keeps their volume.
+"""Drops that touch become one drop under tension; VolumeControl (upper row) keeps their volume.
 
 Run: python3 constant_volume.py [--output FOLDER]
 """

@@ -35,7 +35,7 @@ class Fluid:
         self.rest_density *= REST
 
     def add(self, places, velocity):
-        """Adds particles with new ids; velocity is one for all, or one for each."""
+        """Adds particles, returns their new ids; velocity is one for all, or one for each."""
         count = len(places)
         velocities = np.broadcast_to(np.asarray(velocity, float), (count, 3))
         ids = np.arange(self.next_id, self.next_id + count)
@@ -88,13 +88,13 @@ class Fluid:
             np.clip(places[axis], margin, top, out=places[axis])
 
     def _apart(self, places, pairs):
-        """Unit vectors from second to first, and 1 - distance / support, which is 0 beyond it."""
+        """Unit vectors from second to first, and 1 - distance / support, at least 0."""
         apart = np.take(places, pairs[0], 1) - np.take(places, pairs[1], 1)
         length = np.sqrt(_squared(apart)) + 1e-9 * self.spacing
         return apart / length, np.maximum(1.0 - length / self.support, 0.0)
 
     def _corrections(self, places, pairs):
-        """Displacements of too dense particles, each by its own part of the excess."""
+        """Displacements by the excess density of each particle and of its neighbours."""
         first, second = pairs
         count = places.shape[1]
         direction, w = self._apart(places, pairs)
@@ -134,8 +134,8 @@ class Fluid:
         return 1.0 - free[0] * free[1] * free[2], slopes
 
     def _cohere(self, places, pairs):
-        """Accelerations of neighbours towards a spacing: repulsive below, attractive up to 1.6
-        of it."""
+        """Accelerations of neighbours: repulsive below a distance of one spacing, attractive from
+        1 to 1.6 spacings."""
         direction, w = self._apart(places, pairs)
         distance = SUPPORT * (1.0 - w)  # in spacings
         force = self.cohesion * (distance - 1.0) * np.maximum(1.6 - distance, 0.0) / 0.09

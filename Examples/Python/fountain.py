@@ -1,4 +1,4 @@
-"""A fountain: particles appear at a nozzle in each frame and leave by a drain; so does their skin.
+"""A fountain: particles appear at a nozzle in each frame and leave by drains; so does their skin.
 
 Run: python3 fountain.py [--output FOLDER]
 """

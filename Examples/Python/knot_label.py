@@ -11,7 +11,7 @@ RADIUS = 3.6
 
 
 def distance_to_knot(points):
-    """Distance to the tube around a trefoil."""
+    """Signed distance to the tube around a trefoil, negative inside."""
     t = np.linspace(0, 2 * np.pi, 600)
     knot = np.stack(
         [np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -1.4 * np.sin(3 * t)], -1

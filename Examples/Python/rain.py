@@ -1,4 +1,4 @@
-"""Rain on a pan: drops that appear in the air get a skin, which the water in the pan takes up.
+"""Rain on a pan: drops that appear in the air get skins, which merge with the skin of the water.
 
 Run: python3 rain.py [--output FOLDER]
 """

@@ -1,6 +1,6 @@
 """One skin over particles that lie on the ranks of a parallel program, and pass from rank to rank.
 
-Run: python3 ranks.py [--output FOLDER], after mpiexec -n 3. Needs mpi4py, and a VTK built with MPI.
+Run: python3 ranks.py [--output FOLDER] as the program of mpiexec -n 3. Needs mpi4py, VTK with MPI.
 """
 
 import numpy as np

@@ -1,12 +1,12 @@
 """Two fluids in a box, a heavy one under a light one, whose skins share the surface between them.
 
-The skin of the heavy one follows its particles from frame to frame. It is the obstacle of the light
-one's: no point of the second skin is within the first. An obstacle stands still, and a change of it
-restarts the motion, so each frame of the second skin is one of its own: it has no memory, and
-flickers more than the first. Where both meet air or a wall their edges are round, with a groove
-between them.
+The skin of the heavy fluid follows its particles from frame to frame, and is the obstacle of the
+light fluid's skin: no point of the light skin is inside the heavy skin. A change of an obstacle
+restarts the motion, so each frame of the light skin is independent of the frame before, and the
+light skin flickers more than the heavy one. Where both skins meet air or a wall their edges are
+round, with a groove between them.
 
-Particles of both have to stay apart: fluids that mix have no surface between them.
+Particles of the two fluids have to stay apart: fluids that mix have no surface between them.
 
 Run: python3 two_fluids.py [--output FOLDER]
 """
