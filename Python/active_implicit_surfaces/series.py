@@ -213,6 +213,7 @@ class ParticleSeries(TemporalSource):
         fps: float | None = None,
         where: str | Sequence[str] = (),
     ) -> None:
+        where = [where] if isinstance(where, str) else [*(where or ())]  # used for each frame
         conditions(where)
         if times is not None and fps is not None:
             raise ValueError("Times and frames per second exclude each other; give one of them.")

@@ -103,6 +103,9 @@ class Conditions(unittest.TestCase):
         frames = [as_particles(grid() + step, kind=numpy.arange(125) % 2) for step in range(2)]
         way = active.frames(frames, where="kind=1", particle_spacing=0.1)
         self.assertEqual(way.source.frame(1).GetNumberOfPoints(), 62)
+        for where, count in ((iter(["kind=1"]), 62), (None, 125)):
+            series = active.ParticleSeries(frames, where=where)
+            self.assertEqual(series.frame(1).GetNumberOfPoints(), count)
         with self.assertRaisesRegex(ValueError, "No particle of any frame meets kind=7"):
             active.frames(frames, where="kind=7")
         points = [numpy.vstack([grid(), grid(2) + 3]) + 0.02 * step for step in range(3)]
