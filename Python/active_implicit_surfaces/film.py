@@ -45,8 +45,8 @@ class Film(Sink):
     - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
     - times (list of float): times of the pictures [time].
     - numbers (list of int): frame numbers, for the names of pictures.
-    - fps (float, optional): frames per second [1/time]. Default: the mean frame rate of the times
-      if 1 to 240, else 25.
+    - fps (float, optional): frames per second [1/time], rounded in an .ogv. Default: the mean frame
+      rate of the times if 1 to 240, else 25.
     """
 
     def __init__(
