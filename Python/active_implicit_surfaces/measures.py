@@ -20,7 +20,7 @@ from .mesh_writers import polygons_of
 
 
 def measure(mesh: Any) -> dict[str, Any]:
-    """Measures the polygons of a vtkPolyData; coincident points are merged.
+    """Measures the polygons and strips of a vtkPolyData; coincident points are merged.
 
     Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; numbers of
     pieces (connected surfaces of positive volume), voids (of negative volume) and open edges (of

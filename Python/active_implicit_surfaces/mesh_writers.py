@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from .data_objects import array_names, points_of
+from .data_objects import array_names, output_of, points_of
 from .messages import warn
 
 # Contents of a mesh that a format can store, besides points and polygons.
@@ -189,8 +190,23 @@ def write_obj(path: Path, mesh: Any) -> None:
 
 
 def polygons_of(mesh: Any) -> list[Any]:
-    """Returns the polygons' corners: an array (n, k) for each number of corners k."""
-    return _corners(mesh.GetPolys(), 3)
+    """Returns the corners of polygons: an array (n, k) for each number of corners k.
+
+    If the mesh has strips, its polygons and strips are cut into triangles.
+    """
+    return _corners((triangles_of(mesh) if mesh.GetNumberOfStrips() else mesh).GetPolys(), 3)
+
+
+def triangles_of(mesh: Any) -> Any:
+    """Cuts polygons and strips into triangles, if the mesh has strips or larger polygons."""
+    if mesh.GetNumberOfStrips() or (
+        mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
+    ):
+        cut = vtkTriangleFilter()
+        cut.PassLinesOff()
+        cut.PassVertsOff()
+        return output_of(cut, mesh)
+    return mesh
 
 
 def _corners(cells: Any, least: int) -> list[Any]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour, usual_level
@@ -31,6 +31,7 @@ from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
 from .mesh_writers import (
+    triangles_of,
     warn_of_coarse,
     warn_of_losses,
     write_obj,
@@ -84,7 +85,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
     suffix = suffix_of(path)
     warn_of_losses(suffix, mesh)
     if suffix in (".stl", ".glb") or suffix in (".ply", ".obj") and mesh.GetNumberOfStrips():
-        mesh = _triangles(mesh)
+        mesh = triangles_of(mesh)
     with replacing(path) as temporary:
         if callable(MESH_WRITERS[suffix]):
             MESH_WRITERS[suffix](temporary, mesh, **({"up": up} if suffix == ".glb" else {}))
@@ -219,18 +220,6 @@ def _skin_of_nothing() -> Any:
     surface.SetParticleSpacing(1.0)
     surface.Update()
     return surface
-
-
-def _triangles(mesh: Any) -> Any:
-    """Cuts polygons and strips into triangles, if the mesh has strips or larger polygons."""
-    if mesh.GetNumberOfStrips() or (
-        mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
-    ):
-        cut = vtkTriangleFilter()
-        cut.PassLinesOff()
-        cut.PassVertsOff()
-        return output_of(cut, mesh)
-    return mesh
 
 
 def _check_corners(path: Path, data: Any) -> None:

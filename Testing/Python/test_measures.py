@@ -18,7 +18,12 @@ from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import write_mesh
 from command_line import CommandTest, grid, moving_grid
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData,
+    vtkReverseSense,
+    vtkStripper,
+    vtkTriangleFilter,
+)
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 
 
@@ -49,6 +54,14 @@ class Measures(unittest.TestCase):
         self.assertAlmostEqual(found["area"], 6 * (16 + 1 + 4))
         self.assertAlmostEqual(found["volume"], 64 - 1 + 8)
         self.assertEqual((found["pieces"], found["voids"], found["open edges"]), (2, 1, 0))
+
+    def test_strips_are_triangles(self):
+        triangles, strips = vtkTriangleFilter(), vtkStripper()
+        triangles.SetInputData(cube(2))
+        strips.SetInputConnection(triangles.GetOutputPort())
+        strips.Update()
+        self.assertGreater(strips.GetOutput().GetNumberOfStrips(), 0)
+        self.assertEqual(measure(strips.GetOutput()), measure(triangles.GetOutput()))
 
     def test_what_is_open_inward_or_empty(self):
         plane = vtkPlaneSource()

@@ -18,6 +18,7 @@ from ..choice import are_whole, choose, labels_of, note_once
 from ..data_objects import array_names, finite_points, texts_of
 from ..file_names import expand, suffix_of
 from ..measures import measure
+from ..mesh_writers import polygons_of
 from ..messages import few, listening, quiet
 from ..particle_files import (
     PARTICLE_SUFFIXES,
@@ -171,7 +172,7 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
     return {
         "holds": "a mesh",
         **_points(shape),
-        "polygons": shape.GetNumberOfPolys() + shape.GetNumberOfStrips(),
+        "polygons": sum(map(len, polygons_of(shape))),
         **found,
         "closed": "yes" if edges == 0 else f"no, {edges} open edges",
         "arrays": _arrays(shape),
