@@ -19,6 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from .data_objects import add_array, array_names, copy_of, has_polygons, output_of, texts_of
+from .mesh_writers import triangles_of
 from .messages import few, warn
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>.+)")
@@ -96,7 +97,7 @@ def choose(
 
     A vector is compared by its length, or by a component such as v_x or v:0. x, y and z are the
     coordinates unless arrays have these names. A cell array selects polygons; a point array of a
-    mesh selects polygons of which all points meet the condition.
+    mesh selects polygons of which all points meet the condition. Strips are cut into triangles.
 
     If the array contains none of the values after =, such as one misspelt name, ValueError is
     raised. Any other value after = or != that the array does not contain causes a warning. In place
@@ -110,6 +111,8 @@ def choose(
     Raises ValueError also if there is no such array, if texts are compared with < or > or numbers
     with texts, if an image has no such label, or if a condition is malformed or for an image.
     """
+    if (where or label is not None) and data.IsA("vtkPolyData") and data.GetNumberOfStrips():
+        data = triangles_of(data)
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
     for condition in conditions(where):

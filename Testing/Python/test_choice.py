@@ -17,8 +17,8 @@ from command_line import CommandTest, grid
 from reader_checks import array_of
 from shapes import image_of, points_of, volume_of, write
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkFiltersCore import vtkThresholdPoints
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersCore import vtkStripper, vtkThresholdPoints
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 SHIFTS = 0.05 * numpy.arange(6)
@@ -77,6 +77,13 @@ class Conditions(unittest.TestCase):
         array.SetName("face")
         mesh.GetCellData().AddArray(array)
         self.assertEqual(choice.choose(mesh, "face<4").GetNumberOfPolys(), 4)
+
+    def test_strips_are_triangles(self):
+        ball, strips = vtkSphereSource(), vtkStripper()
+        strips.SetInputConnection(ball.GetOutputPort())
+        strips.Update()
+        one, other = (choice.choose(mesh.GetOutput(), "x>0") for mesh in (strips, ball))
+        self.assertEqual(one.GetNumberOfPolys(), other.GetNumberOfPolys())
 
     def test_small_pieces(self):
         points = numpy.vstack([grid(), grid(2) + 3, [[9.0, 9, 9]]])
