@@ -244,8 +244,9 @@ public:
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
    * smoother and slower. A chosen array of radii replaces KernelRadius: an isolated particle or
-   * line becomes a ball or tube of the array's radius. Range: 1e-30 to 1e30, or -1, automatic: 2
-   * (SUM, lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
+   * line becomes a ball or tube of the array's radius (SUM, lines: with ParticleThreshold < 1).
+   * Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM, lines) or 2.25 (ANISOTROPIC) times
+   * ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
