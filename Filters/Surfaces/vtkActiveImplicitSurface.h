@@ -679,7 +679,7 @@ public:
 
   ///@{
   /** Number of threads that move the skin. Does not change the result, nor restart the motion.
-   * Range: 0 to 1024; 0 is all that TBB may use. Default: 0. */
+   * Range: 0 to 1024; 0: all that TBB may use. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}

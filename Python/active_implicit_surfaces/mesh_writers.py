@@ -92,7 +92,7 @@ def origin_for_floats(mesh: Any) -> Any:
 
 
 def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
-    """Warns if rounding points minus `origin` to single precision moves points visibly."""
+    """Warns if points, relative to `origin`, move visibly when rounded to single precision."""
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         warn(

@@ -44,7 +44,7 @@ StagePlan PlanCycles(float tension)
   const Cycle& cycle = *std::find_if(std::begin(Cycles), std::end(Cycles) - 1,
     [&](const Cycle& one) { return one.Sum * static_cast<float>(count) >= needed; });
   const float sum = cycle.Sum * static_cast<float>(count);
-  // f tension, for the fraction f with GreatestFactor(f) tension = 2 sum.
+  // f * tension, where the fraction f solves GreatestFactor(f) * tension = 2 * sum.
   const float stable =
     (2.f * sum - GreatestFactor(0.f) * tension) / (GreatestFactor(1.f) - GreatestFactor(0.f));
   const float fine = std::min(std::max(stable, LeastFine * tension), tension);

@@ -106,9 +106,8 @@ public:
   }
 
 private:
-  /** Returns the voxels of the leaves, by their lower corners, within the margin of `place` along
-   * each axis.
-   */
+  /** Returns the box of the voxels that reach within the margin of `place` along each axis, by
+   * their lower corners, clipped to the box of all leaves. */
   openvdb::CoordBBox FindVoxels(const Vec3d& place, double margin) const
   {
     openvdb::CoordBBox voxels;
