@@ -32,10 +32,11 @@ void CheckSize(const LatticeBox& box, std::size_t maximum)
   if (7.0 / 3.0 * (x * y + y * z + z * x) > most || x * y * z > nodesPerActiveVoxel * most)
   {
     std::ostringstream text;
-    text << "The bounds hold " << x << " x " << y << " x " << z << " voxels, too many for "
-         << "MaximumNumberOfActiveVoxels = " << maximum
-         << ". Enlarge VoxelSize, shrink ModelBounds "
-         << "(if not set, remove particles far from all others) or raise the maximum.";
+    text << "ModelBounds, set or automatic, hold " << x << " x " << y << " x " << z
+         << " voxels, too many to sample with MaximumNumberOfActiveVoxels = " << maximum
+         << ". Enlarge VoxelSize, set smaller ModelBounds, remove points far from all others, or "
+         << "raise the maximum above about "
+         << std::max(7.0 / 3.0 * (x * y + y * z + z * x), x * y * z / nodesPerActiveVoxel) << ".";
     throw std::runtime_error(text.str());
   }
 }
@@ -198,9 +199,9 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
 void RefuseSize(std::size_t maximumNumberOfActiveVoxels)
 {
   std::ostringstream text;
-  text << "The band would hold more than MaximumNumberOfActiveVoxels = "
-       << maximumNumberOfActiveVoxels
-       << " active voxels; enlarge VoxelSize, shrink ModelBounds or raise the maximum.";
+  text << "The narrow band would have more than MaximumNumberOfActiveVoxels = "
+       << maximumNumberOfActiveVoxels << " active voxels; enlarge VoxelSize, raise the maximum or, "
+       << "at the start, set smaller ModelBounds.";
   throw std::runtime_error(text.str());
 }
 

@@ -34,8 +34,8 @@ LatticeBox FindLatticeBox(double voxelSize, const double bounds[6])
     if (!(std::fabs(low) < FarthestNode && std::fabs(high) < FarthestNode))
     {
       RefuseBounds(bounds,
-        "hold more than 10^9 voxels along an axis; enlarge VoxelSize or shrink "
-        "ModelBounds (if not set, remove particles far from all others).");
+        "hold about 10^9 voxels or more along an axis; enlarge VoxelSize, set smaller "
+        "ModelBounds, or remove points far from all others.");
     }
     box.First[axis] = static_cast<int>(std::floor(low + rounding));
     box.Last[axis] = static_cast<int>(std::ceil(high - rounding));

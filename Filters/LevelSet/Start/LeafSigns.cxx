@@ -115,10 +115,10 @@ void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels)
   if (512.0 * leaves > nodesPerActiveVoxel * static_cast<double>(maximumNumberOfActiveVoxels))
   {
     std::ostringstream text;
-    text << "The shape and the narrow band around it fill " << 512.0 * leaves
-         << " voxels or more, too many for MaximumNumberOfActiveVoxels = "
-         << maximumNumberOfActiveVoxels
-         << "; enlarge VoxelSize, check that the shape is bounded, or raise the maximum.";
+    text << "The region to search for the skin has " << 512.0 * leaves
+         << " voxels or more, more than 40 times MaximumNumberOfActiveVoxels (now "
+         << maximumNumberOfActiveVoxels << "); enlarge VoxelSize, check that target and initial "
+         << "shape are bounded, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }
