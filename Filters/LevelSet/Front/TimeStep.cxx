@@ -27,8 +27,9 @@ double Held(double wanted, double start, const char* name)
   const double held = wanted > 0.0 ? wanted : start;
   if (!(held > 0.0) || !std::isfinite(held))
   {
-    throw std::invalid_argument(std::string(name) + "Control has nothing to conserve, because " +
-      name + " of the initial skin is 0; set Target" + name + " to a finite number > 0.");
+    throw std::invalid_argument(std::string(name) +
+      "Control has nothing to conserve, because the initial skin is empty; set Target" + name +
+      " to a finite number > 0, or the control to NONE.");
   }
   return held;
 }
@@ -142,10 +143,9 @@ void CheckStep(double step, double voxelSize, double remaining)
     {
       text << "too small for single precision";
     }
-    text << "; lower Attraction, Tension, AreaStiffness, VolumeStiffness, TimeScale or "
-         << "TimeStepSize, raise CFL, ArrivalTime, "
-         << "VoxelSize, TargetArea or TargetVolume, or check the scale of the target function "
-         << "(NormalizeTarget).";
+    text << "; lower Attraction, TargetReach, Tension, AreaStiffness, VolumeStiffness, TimeScale "
+         << "or the interval of time steps (TimeStepSize), raise CFL, ArrivalTime, VoxelSize, "
+         << "TargetArea or TargetVolume, or turn NormalizeTarget on.";
     throw std::runtime_error(text.str());
   }
 }
@@ -168,8 +168,8 @@ void CheckBounded(bool isUnbounded, double time)
   {
     std::ostringstream text;
     text << "The skin stays at the motion time " << time
-         << " (TimeScale * elapsed time), because the potential would not be finite after the next "
-         << "substep. Lower CFL, set GradientScheme to UPWIND, and set Tension to a number >= 0.";
+         << " (TimeScale * elapsed time), because the next substep would make the potential "
+         << "diverge. Lower CFL, or set GradientScheme to UPWIND.";
     throw std::runtime_error(text.str());
   }
 }
