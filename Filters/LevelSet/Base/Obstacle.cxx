@@ -211,7 +211,7 @@ void Obstacle::Check() const
     std::ostringstream text;
     text << std::setprecision(10) << "ObstacleFunction is not a number at a point within "
          << 7.0 * this->VoxelSize << " of (" << first[0] << ", " << first[1] << ", " << first[2]
-         << ") along each axis; return a number wherever the skin moves.";
+         << ") along each axis; make ObstacleFunction return numbers near the skin.";
     throw std::runtime_error(text.str());
   }
 }
