@@ -30,8 +30,8 @@ double GetNumber(const openvdb::FloatGrid& grid, const char* name)
   const auto number = grid.getMetadata<openvdb::DoubleMetadata>(name);
   if (!number || !std::isfinite(number->value()))
   {
-    throw std::runtime_error(std::string("the number ") + name +
-      " of the saved state is missing or not finite; the file is damaged.");
+    throw std::runtime_error(
+      std::string("the number ") + name + " of the saved state is missing or not finite.");
   }
   return number->value();
 }
