@@ -57,8 +57,9 @@ void ParticlePotential::Build(
   if (!(farthest < Farthest * this->Unit))
   {
     throw std::invalid_argument(
-      "A point is farther from the origin than 10^9 times the smallest particle radius, too far "
-      "for the lattice; move the points, or check ParticleSpacing and the radii.");
+      "A particle is farther from the origin than 10^9 times the smallest particle radius, too far "
+      "for the lattice; move the particles nearer to the origin, remove those far from all others, "
+      "or check ParticleSpacing and the radii.");
   }
   options.VoxelSize = this->Unit;
   options.WantsBulks = true;

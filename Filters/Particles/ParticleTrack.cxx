@@ -104,7 +104,7 @@ void ParticleTrack::CheckBox(double margin) const
       std::ostringstream text;
       text << "PeriodicBounds is " << length << " long along "
            << "xyz"[axis] << ", less than a quarter of " << margin
-           << ", the distance at which particles affect the surface; enlarge PeriodicBounds, or "
+           << ", the distance up to which particles affect the surface; enlarge PeriodicBounds, or "
               "reduce the radii, KernelRadius or ParticleSpacing.";
       throw std::invalid_argument(text.str());
     }

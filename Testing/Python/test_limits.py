@@ -79,7 +79,7 @@ class Crowds(unittest.TestCase):
         here = make_points(numpy.zeros((100000, 3)))
         surface = surface_over(here, ParticleModel=1, ParticleSpacing=SPACING)
         (said,) = said_at(surface)
-        self.assertIn("neighbours within the kernel on average", said)
+        self.assertIn("neighbours within 1.6 kernel radii on average", said)
         self.assertIn("ParticleSpacing", said)
 
     def test_a_sum_takes_them(self):

@@ -259,7 +259,7 @@ class Drops(unittest.TestCase):
         heard = Listener(surface)
         surface.UpdateTimeStep(0)
         told = " ".join(" ".join(heard.errors).split())
-        self.assertIn("less than a quarter of 7.2, the distance at which particles", told)
+        self.assertIn("less than a quarter of 7.2, the distance up to which particles", told)
 
     def test_balls_of_any_radius_have_their_copies(self):
         few = numpy.array([[2, y, z] for y in (0.2, 3.8) for z in (0.2, 3.8)])
