@@ -153,8 +153,8 @@ vtkDataArray* AsNumbers(vtkAbstractArray* column, vtkTable* table)
   if (!numbers || numbers->GetNumberOfTuples() != table->GetNumberOfRows())
   {
     throw std::invalid_argument("The column \"" + GetName(column) +
-      "\" of the table cannot be used for the particles' positions, which need a number in each "
-      "row. With a vtkDelimitedTextReader, turn DetectNumericColumns on.");
+      "\" of the table cannot be used for positions or vectors of particles, which need a number "
+      "in each row. With a vtkDelimitedTextReader, turn DetectNumericColumns on.");
   }
   return numbers;
 }

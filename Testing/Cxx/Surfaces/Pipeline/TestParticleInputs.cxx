@@ -235,7 +235,8 @@ TEST(TestParticleInputs, TablesWithoutPositionsAreErrors)
   text->SetName("z");
   text->SetNumberOfValues(3);
   table->AddColumn(text);
-  Refuses(table, "The column \"z\" of the table cannot be used for the particles' positions");
+  Refuses(
+    table, "The column \"z\" of the table cannot be used for positions or vectors of particles");
   table->RemoveColumnByName("z");
   table->GetRowData()->AddArray(MakeColumn("z", { 0.0 }));
   Refuses(table, "which need a number in each row");
