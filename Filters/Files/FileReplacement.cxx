@@ -32,7 +32,7 @@ FileReplacement::FileReplacement(const std::string& name)
   const auto status = std::filesystem::status(name, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw std::runtime_error("its name is that of a folder or a device; choose another name");
+    throw std::runtime_error("its name is that of a folder, device or pipe; choose another name");
   }
 }
 

@@ -340,7 +340,8 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   {
     throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
       " cannot be read: " +
-      (grid.Transform ? "its type " + grid.Type + " is not supported"
+      (grid.Transform ? "its type " + grid.Type + " is not supported" +
+            (FindType(grid.Type) ? " in a file of this version" : "")
                       : "its transform is not linear") +
       "; choose another grid.");
   }

@@ -31,7 +31,7 @@ ByteSource::ByteSource(const std::string& file)
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))
   {
-    throw std::runtime_error("there is no such file");
+    throw std::runtime_error("there is no such file, or its folder is not accessible");
   }
   if (!std::filesystem::is_regular_file(status))
   {

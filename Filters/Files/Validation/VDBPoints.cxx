@@ -161,7 +161,7 @@ Types PointsValidator::ReadDescriptor()
   Types types(this->ReadCount(2 * sizeof(std::uint32_t)));
   if (types.size() != this->Count)
   {
-    RefuseDamage("leaves have different numbers of attributes");
+    RefuseDamage("a leaf does not have as many attributes as the file declares");
   }
   std::size_t groups = 0;
   for (openvdb::NamePair& type : types)
@@ -170,8 +170,8 @@ Types PointsValidator::ReadDescriptor()
     type.second = this->Source.ReadText();
     if (!AttributeArray::isRegistered(type))
     {
-      throw std::runtime_error("its points have an attribute of the unknown type " + type.first +
-        "; write the file without this attribute");
+      throw std::runtime_error("its points have an attribute whose type " + type.first +
+        " or codec " + type.second + " is unknown; write the file without this attribute");
     }
     groups += type == openvdb::points::GroupAttributeArray::attributeType() ? 1 : 0;
   }
@@ -224,7 +224,7 @@ Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
   if (bytes <= head || bytes - head > this->Source.GetSize() * 512 || flags > FlagsOfFiles ||
     form > AllKnown)
   {
-    RefuseDamage("an attribute has an impossible size");
+    RefuseDamage("an attribute has an impossible size or unknown flags");
   }
   static constexpr std::uint64_t most = std::uint64_t(1) << 31;
   const std::uint64_t each = AttributeArray::create(type, 1, 1)->storageTypeSize();
