@@ -58,7 +58,8 @@ void CheckMesh(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
         ? "The mesh has no valid polygon; correct it. " + mesh.Defects.Describe()
-        : std::string("The mesh has no polygons and no triangle strips; connect a closed mesh."));
+        : std::string("The mesh has no polygons, and no triangles of strips with three different "
+                      "points; connect a closed mesh."));
   }
   if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
@@ -73,8 +74,8 @@ void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
     if (!(std::fabs(bound) / voxelSize < FarthestNode))
     {
       std::ostringstream text;
-      text << "The mesh is more than 10^9 voxels from the origin; enlarge VoxelSize (now "
-           << voxelSize << "), or move the mesh.";
+      text << "A point of the mesh is 10^9 voxels or more from the origin; enlarge VoxelSize (now "
+           << voxelSize << "), move the mesh, or remove points that are far away.";
       throw std::invalid_argument(text.str());
     }
   }
