@@ -5,7 +5,7 @@
 namespace activesurface
 {
 
-void BandBackup::Keep(const PotentialTree& tree)
+void BandBackup::Keep(const openvdb::FloatTree& tree)
 {
   if (!this->Tree)
   {

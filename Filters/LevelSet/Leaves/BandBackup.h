@@ -15,7 +15,7 @@ public:
   void Forget() { this->Tree.reset(); }
 
   /** Copies the tree unless there is a copy. */
-  void Keep(const PotentialTree& tree);
+  void Keep(const openvdb::FloatTree& tree);
 
   openvdb::FloatTree::Ptr Get() const { return this->Tree; }
 
