@@ -61,7 +61,9 @@ std::string ListArrays(vtkPointData* arrays)
   }
   return names.empty()
     ? "the input has no point arrays with names; add the array"
-    : "choose association 0 (points) and one of the input's point arrays: " + names;
+    : "choose association 0 (points) and one of the input's point arrays (of blocks: arrays common "
+      "to all): " +
+      names;
 }
 
 // Returns true for a table without columns, which a rank receives if another rank has the data.
@@ -341,8 +343,8 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
     association == vtkDataObject::FIELD_ASSOCIATION_ROWS;
   if (!array || !isOfPoints)
   {
-    throw std::invalid_argument(
-      "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
+    throw std::invalid_argument("The input of port " + std::to_string(this->Port) +
+      " has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
       ", ...): " + this->DescribeArray(index) + "; " + ListArrays(arrays) + ".");
   }
   return array;

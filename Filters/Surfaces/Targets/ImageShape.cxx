@@ -174,7 +174,7 @@ vtkDataArray* AsSamples(vtkAbstractArray* values, vtkDataSet* image)
     const std::string name = values->GetName() ? values->GetName() : "";
     throw std::invalid_argument("The array \"" + name +
       "\" cannot be used as the image's values, which need one number for each point; choose "
-      "another array.");
+      "another array by SetInputArrayToProcess(3, ...), at input port 1 (4, ...).");
   }
   return numbers;
 }

@@ -53,7 +53,7 @@ std::unique_ptr<InputShape> MakeInputShape(const InputData& input)
     }
   }
   throw std::invalid_argument(
-    "An input that is neither points nor an image cannot be a target: connect a vtkPointSet or a "
+    "Data that are neither points nor an image cannot be an input: connect a vtkPointSet or a "
     "vtkImageData.");
 }
 

@@ -24,7 +24,7 @@ vtkDataSet* CheckHasNoLines(vtkDataSet* data)
   if (vtkPolyData::SafeDownCast(data)->GetNumberOfLines() > 0)
   {
     throw std::invalid_argument(
-      "A vtkPolyData with both polygons and lines cannot be a target: polygons are a mesh, lines a "
+      "A vtkPolyData with both polygons and lines cannot be an input: polygons are a mesh, lines a "
       "skeleton. Remove the polygons or the lines. If vtkCleanPolyData made lines of narrow "
       "polygons, call its ConvertPolysToLinesOff.");
   }

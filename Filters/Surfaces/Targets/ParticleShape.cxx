@@ -30,8 +30,8 @@ void CheckHasVerticesOnly(vtkDataSet* data)
     if (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX)
     {
       throw std::invalid_argument(std::string("A ") + data->GetClassName() +
-        " with other cells than vertices cannot be a target. Use only its points, as particles, "
-        "or its closed surface as a vtkPolyData (vtkDataSetSurfaceFilter).");
+        " with other cells than vertices cannot be an input. Use its closed surface as a "
+        "vtkPolyData (vtkDataSetSurfaceFilter), or at port 0 only its points, as particles.");
     }
   }
 }

@@ -230,7 +230,7 @@ TEST(TestAdvance, AFrameThatCannotBeReadIsAsIfItHadNotBeen)
   frame->GetPointData()->RemoveArray("id");
   const auto push = [&](vtkActiveImplicitSurface* filter)
   { EXPECT_FALSE(filter->Advance(frame, 1.0)); };
-  Refuses(push, "The input has no point array as chosen");
+  Refuses(push, "The input of port 0 has no point array as chosen");
 
   const vtkIdType triangle[] = { 0, 1, 2 };
   vtkNew<vtkIntArray> ids;

@@ -171,14 +171,14 @@ TEST(TestMessages, OtherCellsAreNoTarget)
   both->SetPolys(polygons);
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputData(both);
-  Refuses(filter, "A vtkPolyData with both polygons and lines cannot be a target");
+  Refuses(filter, "A vtkPolyData with both polygons and lines cannot be an input");
 
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(both->GetPoints());
   const vtkIdType corners[] = { 0, 1, 2 };
   grid->InsertNextCell(VTK_TRIANGLE, 3, corners);
   filter->SetInputData(grid);
-  Refuses(filter, "A vtkUnstructuredGrid with other cells than vertices cannot be a target");
+  Refuses(filter, "A vtkUnstructuredGrid with other cells than vertices cannot be an input");
 }
 
 TEST(TestMessages, ImagesWithoutFittingValuesAreNoTarget)

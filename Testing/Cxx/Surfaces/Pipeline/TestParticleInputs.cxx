@@ -309,7 +309,8 @@ TEST(TestParticleInputs, OnlyArraysOfAllBlocksArePassed)
   EXPECT_EQ(messages.CountAll(), 0u) << "messages";
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "r");
   filter->UpdateTimeStep(0.2);
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "The input has no point array as chosen"), 1)
+  EXPECT_EQ(
+    MessageCapture::Count(messages.Errors, "The input of port 0 has no point array as chosen"), 1)
     << "errors of an array that one block lacks";
 }
 
