@@ -42,9 +42,9 @@ void CheckIsClosed(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(
       "The mesh is not closed, so it has no inside: " + std::to_string(mesh.Defects.OddEdges) +
-      " edges belong to one polygon, or to another odd number of polygons. Close the mesh by "
-      "vtkFillHolesFilter, or make a shell of it by a vtkActiveImplicitSurface with "
-      "MeshThickness > 0.");
+      " edges belong to one polygon, or to another odd number of polygons. Merge the points of "
+      "seams (vtkCleanPolyData with Tolerance > 0), close holes by vtkFillHolesFilter, or make a "
+      "shell of it by a vtkActiveImplicitSurface with MeshThickness > 0.");
   }
 }
 

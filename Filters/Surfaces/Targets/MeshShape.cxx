@@ -75,8 +75,9 @@ std::string MeshShape::Prepare(const TargetOptions& options, const Warnings&)
   const std::string defects = grid->GetDefects();
   return defects.empty() || thickness != 0.0 ? defects
                                              : defects +
-      " Any hole is closed by winding numbers. If open edges are a seam, merge the points "
-      "(vtkCleanPolyData). If the mesh is meant to be open, set MeshThickness > 0 for a shell.";
+      " Any hole is closed by winding numbers. If open edges are a seam, merge its points "
+      "(vtkCleanPolyData with Tolerance > 0; points of equal coordinates are merged already). If "
+      "the mesh is meant to be open, set MeshThickness > 0 for a shell.";
 }
 
 // Returns an empty string for a level other than 0, where the thickness of parts differs.
