@@ -216,7 +216,7 @@ void TargetBuilder::PrepareInitial()
   options.SmoothsLabels = false;
   options.When = "of input port 1";
   options.MeshReach = InitialReach * this->Domain.VoxelSize;
-  options.MeshHint = " (MaximumNumberOfVoxels is here ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshHint = " (Reach: 8 voxels; maximum: ten times MaximumNumberOfActiveVoxels.)";
   this->Report("flaw of the initial shape",
     this->PrepareShape(*this->Initial, options, "The input of port 1, Initial: "));
 }
