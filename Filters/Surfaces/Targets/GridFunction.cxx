@@ -88,8 +88,8 @@ std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize)
   {
     constexpr double percent = 100.0;
     text << "about " << std::ceil(percent * share)
-         << " % of its surface belongs to parts thinner than two voxels, which the skin loses "
-            "or fragments; reduce VoxelSize (now "
+         << " % of its surface belongs to parts thinner than two voxels, which the skin may "
+            "lose or fragment; reduce VoxelSize (now "
          << voxelSize << ") to half of the thickness of these parts.";
   }
   return text.str();

@@ -53,9 +53,9 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
 std::string TargetFrames::DescribeMatches() const
 {
   return this->Matches && this->Matches->AreShuffled
-    ? "The particles have no ids, and their order differs between time steps, so the filter cannot "
-      "match particles: they fade out and in, and the skin does not move with them. Choose an "
-      "array of ids by SetInputArrayToProcess(1, ...)."
+    ? "The particles have no ids, and their order seems to differ between time steps, so the "
+      "filter does not match particles: they fade out and in, and the skin does not move with "
+      "them. Choose an array of ids by SetInputArrayToProcess(1, ...)."
     : "";
 }
 
