@@ -37,7 +37,9 @@ std::string DescribeRequest(
   ForEachOutputProperty(properties.Outputs, tell);
   ForEachLimit(properties.Limits, tell);
   const SurfaceInputs& inputs = settings.Inputs;
-  text << "the time steps of the input: " << inputs.TargetMoves << inputs.OnlyForward;
+  text << "the time steps (TIME_STEPS of the input, or StartTime, TimeStepSize and "
+          "NumberOfTimeSteps): "
+       << inputs.TargetMoves << inputs.OnlyForward;
   std::for_each(
     inputs.Steps.begin(), inputs.Steps.end(), [&text](double step) { text << " " << step; });
   text << "\nthe presence of inputs and functions: " << !inputs.TargetFunction

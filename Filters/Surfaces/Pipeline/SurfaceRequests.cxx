@@ -310,8 +310,8 @@ void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
     !target->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) && !target->Has(SDDP::WHOLE_EXTENT()))
   {
     this->Simulation.Warn("no pieces",
-      "The input does not publish CAN_HANDLE_PIECE_REQUEST, so it is read on rank 0 only. If other "
-      "ranks have parts of the input, let the source publish this key.");
+      "The input of port 0 does not publish CAN_HANDLE_PIECE_REQUEST, so it is read on rank 0 "
+      "only. If other ranks have parts of the input, let the source publish this key.");
   }
 }
 

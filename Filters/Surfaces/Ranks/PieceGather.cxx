@@ -147,8 +147,8 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
     {
       throw std::invalid_argument(what + " has different kinds of data on ranks " +
         std::to_string(first) + " and " + std::to_string(rank) +
-        "; use one kind for all pieces: only particles, only polygons or lines, only images with "
-        "values, or only images with an OpenVDB grid.");
+        "; use one kind for all pieces: only particles, only polygons, only lines, only images "
+        "with values, or only images with an OpenVDB grid.");
     }
   }
   return kind;

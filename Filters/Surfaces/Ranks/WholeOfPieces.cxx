@@ -243,7 +243,7 @@ vtkSmartPointer<vtkDataSet> AssembleImage(const Pieces& pieces, const std::strin
     if (parts.empty())
     {
       throw std::invalid_argument(what + ", an image, has the array \"" + name +
-        "\" on some ranks but not on others; give this array to all pieces.");
+        "\" on some ranks but not on others; give all pieces an array of the same name.");
     }
     std::vector<char> isKnown(static_cast<std::size_t>(whole->GetNumberOfPoints()), char(0));
     const auto values = MakeArray(reference->GetAbstractArray(i), whole->GetNumberOfPoints());
