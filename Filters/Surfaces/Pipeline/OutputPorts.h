@@ -13,8 +13,9 @@ namespace activesurface
 {
 
 constexpr const char* NoMemoryForOutputs =
-  "There is not enough memory for the skin, or for the image of the potential over "
-  "ModelBounds; enlarge VoxelSize, shrink ModelBounds, or turn OutputPotential off.";
+  "There is not enough memory for the input, the skin, or the image of the potential over "
+  "ModelBounds; enlarge VoxelSize, shrink ModelBounds, lower CheckpointMemory, or turn "
+  "OutputPotential off.";
 
 class OutputPorts
 {

@@ -292,7 +292,7 @@ void SurfaceRequests::AgreeOnRequest(
 {
   if (RankedPipeline::HaveInputsFailed(this->Filter))
   {
-    throw std::runtime_error("The update of the input failed; see the error of the input.");
+    throw std::runtime_error("The update of an input failed; see the error of that input.");
   }
   const int port = RequestedPort(request);
   const PipelineTime time = this->FindRequestedTime(output->GetInformationObject(port));

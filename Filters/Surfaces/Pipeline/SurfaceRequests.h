@@ -58,8 +58,8 @@ public:
     if (this->Is)
     {
       throw std::logic_error(call +
-        " was called by an observer during an update; call it after the update (AbortExecute stops "
-        "an update).");
+        " was called by an observer or a source during an update; call it after the update "
+        "(AbortExecute stops an update).");
     }
   }
 

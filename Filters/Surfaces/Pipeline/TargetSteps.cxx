@@ -110,8 +110,8 @@ std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
     throw std::runtime_error("The time step " + Format(time) +
       " of the input is needed again, but the input provides each time step once "
       "(NO_PRIOR_TEMPORAL_ACCESS). Request times in ascending order, and do not change a property "
-      "that restarts the motion; or, for earlier time steps, set CheckpointInterval to 1 and raise "
-      "CheckpointMemory.");
+      "that restarts the motion; or, for earlier time steps, set CheckpointInterval to 1, raise "
+      "CheckpointMemory, and turn ComputeVelocity and PassTargetArrays off.");
   }
   this->LastUpdateFailed = true;
   if (!this->Target.Update(target, time))
