@@ -98,7 +98,7 @@ ChosenVoxel ChooseVoxel(
     return { image, "the image's pixels and bounds" };
   }
   return { longest / VoxelsAcross,
-    settings.HasBounds() ? "ModelBounds" : "the bounds of the input" };
+    settings.HasBounds() ? "ModelBounds" : "the bounds of the target and the initial shape" };
 }
 
 // image: voxel size for images; 0: no images.

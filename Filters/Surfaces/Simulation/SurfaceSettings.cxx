@@ -101,9 +101,11 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
   {
     text << ", after " << steps[bad - 1];
   }
-  text << (areOfInput ? "; check the TIME_STEPS of the source."
-                      : "; check StartTime and TimeStepSize (> 0, and large enough to change "
-                        "StartTime when added).");
+  text << (areOfInput
+      ? "; check the TIME_STEPS of the source, the requested times or, with Advance, "
+        "StartTime."
+      : "; check StartTime and TimeStepSize (> 0, and large enough to change "
+        "StartTime when added).");
   throw std::invalid_argument(text.str());
 }
 
@@ -222,7 +224,7 @@ const char* SurfaceSettings::FindWhatNeedsSubsteps() const
     { !this->Normalize, "NormalizeTarget off" },
     { this->Invert, "InvertTarget" },
     { isSum ? this->IsoValue >= this->Particles.Threshold : this->IsoValue != 0.0,
-      isSum ? "TargetIsoValue beyond ParticleThreshold" : "TargetIsoValue" },
+      isSum ? "TargetIsoValue not below ParticleThreshold" : "TargetIsoValue other than 0" },
   };
   for (const auto& [isNeeded, name] : needs)
   {
