@@ -236,7 +236,7 @@ class Ranks(unittest.TestCase):
     def test_an_empty_start_has_the_reason_that_one_rank_has_seen(self):
         reasons = {
             "outside": "no surface within the bounds",
-            "no_numbers": "not a finite number anywhere",
+            "no_numbers": "not a finite number at any sampled point",
             "covered": "The obstacle covers the initial shape",
         }
         for size in (2, 3):

@@ -53,7 +53,6 @@ std::unique_ptr<Obstacle> MakeObstacle(
 // Least number of explicit substeps from one step to the next over a moving target. The target is
 // evaluated at least this often in the interval, even if the surface is slow.
 constexpr double SubstepsOfMovingTarget = 4.0;
-
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
 // Distance of the walls from the sides of a periodic box, as a fraction of the box's margin.
@@ -63,8 +62,9 @@ constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
   "over their spacing. Change this setting, or set TimeIntegration to EXPLICIT to accept this.";
 constexpr char NoSkinOnNodes[] =
-  "The target has no surface that the voxels can resolve, or the obstacle covers it, so there "
-  "is no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";
+  "The target has no surface that the voxels can resolve, or walls or the obstacle exclude it, so "
+  "there is no skin; check VoxelSize, BoundedDomain, ObstacleFunction, Tension and, for particles, "
+  "their radii, KernelRadius and ParticleThreshold.";
 
 }
 

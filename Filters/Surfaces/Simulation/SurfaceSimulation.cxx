@@ -18,8 +18,8 @@ namespace
 
 constexpr const char* NothingToStartOn =
   "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
-  "begins when particles appear, turn CreateParts on and set ModelBounds or ParticleSpacing; or "
-  "set an initial shape.";
+  "begins when the target appears, turn CreateParts on and set ModelBounds or, for particles, "
+  "ParticleSpacing; or set an initial shape.";
 
 }
 
@@ -274,8 +274,10 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
     const SurfaceDomain* domain = this->FindDomain();
     if (!domain && !this->Shapes.StartsOnNothing())
     {
-      throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
-                                  "box around the initial shape (by default the target).");
+      throw std::invalid_argument("Neither the target nor the initial shape has known bounds, as "
+                                  "for most functions and for input without usable points; set "
+                                  "ModelBounds to a box around the initial shape (by default the "
+                                  "target), or correct the input.");
     }
     if (this->Loaded.Band && domain)
     {

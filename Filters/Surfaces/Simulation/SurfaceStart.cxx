@@ -14,14 +14,16 @@ namespace
 {
 
 constexpr char CoveredStart[] =
-  "The obstacle covers the initial shape, so there is no skin; move the obstacle or the shape, or "
-  "check that ObstacleFunction is negative only inside the obstacle.";
+  "The obstacle covers the initial shape (by default the target), or all that the voxels can "
+  "resolve of it, so there is no skin; move the obstacle or the shape, reduce VoxelSize, or check "
+  "that ObstacleFunction is negative only inside the obstacle.";
 constexpr char StartWithoutSurface[] =
   "The initial shape (by default the target) has no surface within the bounds, or none that the "
-  "voxels can resolve, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";
+  "voxels can resolve, so there is no skin; check VoxelSize and ModelBounds and, unless the shape "
+  "is InitialFunction, TargetIsoValue, InvertTarget and ParticleThreshold.";
 constexpr char StartWithoutNumbers[] =
-  "The initial shape (by default the target) is not a finite number anywhere within the bounds, so "
-  "there is no skin; check its values.";
+  "The initial shape (by default the target) is not a finite number at any sampled point within "
+  "the bounds, so there is no skin; check its values.";
 
 double FindMargin(const SurfaceStart& start)
 {

@@ -389,8 +389,9 @@ TEST(TestMessages, TargetThatIsNotFiniteIsAWarning)
   messages.Warnings.clear();
   filter->SetInitialFunction(nullptr);
   filter->UpdateTimeStep(0.0);
-  EXPECT_EQ(
-    MessageCapture::Count(messages.Warnings, "not a finite number anywhere within the bounds"), 1)
+  EXPECT_EQ(MessageCapture::Count(
+              messages.Warnings, "not a finite number at any sampled point within the bounds"),
+    1)
     << "warnings of the start";
 }
 
