@@ -248,7 +248,7 @@ class GoingOn(CommandTest):
     def test_a_damaged_state_is_told(self):
         self.fail_with(1, *self.command)
         (self.folder / "a" / ".s.state.vdb").write_bytes(b"no grid")
-        self.assertIn("holds no state", self.fail_with(1, *self.command, "--resume"))
+        self.assertIn("No state of a surface", self.fail_with(1, *self.command, "--resume"))
 
     def test_a_state_that_cannot_be_saved_leaves_the_one_before(self):
         files = [self.folder / f"p{step}.npy" for step in range(6)]

@@ -116,7 +116,7 @@ class Resume(unittest.TestCase):
 
     def test_files_without_a_state(self):
         live = active.LiveSurface(resume=self.file)
-        with self.assertRaisesRegex(ValueError, "holds no state of a surface"):
+        with self.assertRaisesRegex(ValueError, "No state of a surface can be loaded"):
             run(live, [0])
         with self.assertRaisesRegex(ValueError, "no state of a time step"):
             active.LiveSurface().save(self.file)

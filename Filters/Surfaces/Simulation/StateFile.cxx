@@ -77,7 +77,7 @@ SavedState ReadState(const std::string& file)
   {
     std::string reason = error.what();
     reason.erase(reason.find_last_not_of('.') + 1);
-    throw std::runtime_error("The file " + file + " holds no state of a surface: " + reason +
+    throw std::runtime_error("No state of a surface can be loaded from " + file + ": " + reason +
       "; load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }

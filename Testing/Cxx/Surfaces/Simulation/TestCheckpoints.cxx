@@ -268,7 +268,8 @@ TEST(TestCheckpoints, StatesThatDoNotFitAreRefused)
   EXPECT_EQ(MessageCapture::Count(messages.Errors, "cannot be written to /no/such/folder"), 1)
     << "error";
   EXPECT_TRUE(!filter->LoadState("/no/such/file.vdb")) << "a file that is not there";
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "holds no state of a surface"), 1) << "error";
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "No state of a surface can be loaded"), 1)
+    << "error";
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 1.0), good)) << "the skin after refused files";
 
   auto other = MakeSkinOverDrops(MakeDrops());
