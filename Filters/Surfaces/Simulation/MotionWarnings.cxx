@@ -16,8 +16,9 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
          << (end.MayComeBack ? "; it reappears where the target does."
-                             : "; it does not reappear. Check that target and initial shape "
-                               "overlap. Lower Tension, if set.");
+                             : "; it does not reappear. Check that the target exists until then "
+                               "and overlaps the initial shape. Turn CreateParts on, if off; "
+                               "lower Tension, if set.");
     messages.Say("vanished", text.str());
   }
   if (report.Substeps > 0 && report.UniformPulls == report.Substeps)
@@ -27,8 +28,8 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
       << "Before the motion time " << time.Value
       << " the target attracted the skin inward at the same speed everywhere. VolumeControl or "
       << "AreaControl EXACT cancels such an attraction, so the skin did not approach the target, "
-      << "which is outside the skin, or farther inside than TargetReach. Check that target and "
-      << "initial shape overlap. If the target is inside the skin, raise TargetReach.";
+      << "which is empty, outside the skin, or farther inside than TargetReach. Check that target "
+      << "and initial shape overlap. If the target is inside the skin, raise TargetReach.";
     messages.Say("cancelled attraction", text.str());
   }
   if (report.DroppedSamples > 0)
@@ -53,7 +54,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
   const bool isHeld = outside.Parameters.VolumeControl != Control::None ||
     outside.Parameters.AreaControl != Control::None;
   std::ostringstream text;
-  text << "At the time step " << outside.Time.Value << ", "
+  text << "At the time " << outside.Time.Value << ", "
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
        << (particles ? "particles are outside the skin by more than their own radius"
                      : "target is outside the skin")
@@ -61,10 +62,12 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
        << "For a closer skin, raise Attraction"
-       << (particles && outside.Parameters.Transport < 1.0 ? ", set Transport to 1" : "")
-       << (outside.Parameters.CreateParts ? "" : ", turn CreateParts on")
+       << (particles && outside.Parameters.Transport < 1.0
+              ? ", use Transport 1 without explicit substeps"
+              : "")
+       << (outside.Parameters.CreateParts ? "" : ", turn CreateParts on and PaperScheme off")
        << (outside.Parameters.Tension > 0.0 ? ", lower Tension" : "")
-       << ", reduce VoxelSize, or shorten the time between time steps.";
+       << ", reduce VoxelSize or, if the target moves, shorten the time between time steps.";
   messages.Say("outside", text.str());
 }
 
@@ -86,12 +89,12 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
   {
     if (report.MovingShare > SteadyStateCriterion::FewMoving)
     {
-      text
-        << std::setprecision(2) << 100.0 * report.MovingShare
-        << " % of the skin does not settle: this part oscillates by " << report.MovingDistance
-        << " voxels on average, because the target has edges or steps that Tension smooths or the "
-        << "lattice cannot resolve. Use a distance or a smooth image as target, lower Tension, or "
-        << "set TargetNoise to the size of the steps.";
+      text << std::setprecision(2) << 100.0 * report.MovingShare
+           << " % of the skin does not settle: it oscillates (mean over the whole skin: "
+           << report.MovingDistance << " voxels), usually because the target has edges or steps "
+           << "that Tension smooths or the lattice cannot resolve. Use a distance or a smooth "
+           << "image as target, lower Tension, or set TargetNoise to the size of the steps (needs "
+           << "NormalizeTarget).";
       messages.Say("no rest", text.str());
     }
     return;
@@ -135,10 +138,10 @@ void RestartWarning::Report(PipelineTime requested, const Warnings& messages)
   {
     this->IsReported = true;
     std::ostringstream text;
-    text << "The input was replaced after the time " << this->LastTime
-         << ", so the surface was restarted. Replacing the input does not advance time: call "
-            "Advance(particles, dt) for each frame, or connect a source that publishes TIME_STEPS "
-            "(in Python: ParticleSeries).";
+    text << "The input changed after the time " << this->LastTime
+         << ", so the motion was restarted. Replacing or changing the input does not advance "
+            "time: call Advance(frame, dt) for each frame, or connect a source that publishes "
+            "TIME_STEPS (in Python: ParticleSeries).";
     messages.Say("replaced data", text.str());
   }
   this->LastTime = Never;

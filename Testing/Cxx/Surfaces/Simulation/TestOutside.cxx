@@ -117,7 +117,7 @@ TEST(TestOutside, ALostDropIsToldOnce)
     EXPECT_EQ(GetNumber(filter, row, "Outside"), 1.0 / 65.0) << "row " << row;
   }
   EXPECT_EQ(MessageCapture::Count(messages.Warnings,
-              "At the time step 1, 1.5 % of the particles are outside the skin by more than their "
+              "At the time 1, 1.5 % of the particles are outside the skin by more than their "
               "own radius"),
     1);
   EXPECT_TRUE(messages.Has("turn CreateParts on"));

@@ -236,7 +236,7 @@ vtkSmartPointer<vtkPolyData> MakePoint(double x)
   return frame;
 }
 
-constexpr const char* Replaced = "Replacing the input does not advance time";
+constexpr const char* Replaced = "Replacing or changing the input does not advance time";
 
 }
 
