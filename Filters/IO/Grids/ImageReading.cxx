@@ -185,7 +185,7 @@ int Rank(const VDBGrid& grid)
                                                    : 3;
 }
 
-VDBGrid ChooseBest(const VDBFile& file)
+VDBGrid ChooseBest(const VDBFile& file, const std::string& fileName)
 {
   const VDBGrid* best = nullptr;
   for (const VDBGrid& grid : file.Grids)
@@ -197,13 +197,14 @@ VDBGrid ChooseBest(const VDBFile& file)
   }
   if (!best)
   {
-    throw std::invalid_argument("The file has no grid that can be read (its grids are: " +
-      ListNames(file) + "); choose another file.");
+    throw std::invalid_argument("The file " + fileName +
+      " has no grid that can be read (its grids are: " + ListNames(file) +
+      "); choose another file.");
   }
   return *best;
 }
 
-const VDBGrid& FindGrid(const VDBFile& file, const std::string& name)
+const VDBGrid& FindGrid(const VDBFile& file, const std::string& fileName, const std::string& name)
 {
   for (const VDBGrid& grid : file.Grids)
   {
@@ -212,23 +213,25 @@ const VDBGrid& FindGrid(const VDBFile& file, const std::string& name)
       return grid;
     }
   }
-  throw std::invalid_argument(
-    "The file has no grid \"" + name + "\"; choose one of its grids: " + ListNames(file) + ".");
+  throw std::invalid_argument("The file " + fileName + " has no grid \"" + name +
+    "\"; choose one of its grids: " + ListNames(file) + ".");
 }
 
-std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>& names)
+std::vector<VDBGrid> Choose(
+  const VDBFile& file, const std::string& fileName, const std::vector<std::string>& names)
 {
   if (names.empty())
   {
-    return { ChooseBest(file) };
+    return { ChooseBest(file, fileName) };
   }
   std::vector<VDBGrid> grids;
   for (const std::string& name : names)
   {
-    const VDBGrid& grid = FindGrid(file, name);
+    const VDBGrid& grid = FindGrid(file, fileName, name);
     if (!grid.IsKnown)
     {
-      throw std::invalid_argument("The grid \"" + name + "\" cannot be read: " +
+      throw std::invalid_argument("The grid \"" + name + "\" of the file " + fileName +
+        " cannot be read: " +
         (grid.Transform ? "its type " + grid.Type + " is not supported"
                         : "its transform is not linear") +
         "; choose another GridName.");
@@ -267,7 +270,7 @@ ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::stri
   ChosenGrids chosen;
   chosen.FileName = fileName;
   chosen.File = ValidateVDB(fileName);
-  chosen.Grids = Choose(chosen.File, names);
+  chosen.Grids = Choose(chosen.File, fileName, names);
   return chosen;
 }
 
