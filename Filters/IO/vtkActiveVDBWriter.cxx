@@ -77,7 +77,8 @@ struct Source
     if (!this->Pipeline->Update(this->Port))
     {
       throw std::runtime_error(
-        "The update of the input failed, so no file is written; see the error of the input.");
+        "The update of the input failed, so no file is written for this time; see the error of "
+        "the input.");
     }
   }
 
@@ -165,7 +166,8 @@ void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
   }
   if (hasAnyFailed)
   {
-    throw std::runtime_error("Another rank failed to write the file; see the error on that rank.");
+    throw std::runtime_error(
+      "Another rank failed, so the file is not written; see the error on that rank.");
   }
 }
 
