@@ -65,7 +65,8 @@ void DispatchValues(vtkDataArray* array, Function&& function)
   {
     throw std::invalid_argument(std::string("The point array \"") +
       (array->GetName() ? array->GetName() : "") + "\" has " + std::to_string(components) +
-      " components, but a grid has one or three. Remove the array, or split it.");
+      " components, but a grid has one or three. Remove or split the array, or turn "
+      "WritePointArrays off (the scalars of an image are always written).");
   }
   const bool isWide = array->GetDataTypeSize() > 4 || type == VTK_UNSIGNED_INT;
   if (type == VTK_FLOAT)

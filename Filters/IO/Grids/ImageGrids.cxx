@@ -63,8 +63,8 @@ openvdb::GridBase::Ptr CopyLevelSet(vtkImageData* image, vtkDataArray* array)
     std::fabs(spacing[2] - spacing[0]) <= rounding * spacing[0];
   if (array->GetNumberOfComponents() != 1 || !isCubic)
   {
-    throw std::invalid_argument("GridClass LEVEL_SET needs an image of one component and equal "
-                                "spacing along all axes; choose another GridClass.");
+    throw std::invalid_argument("GridClass LEVEL_SET needs an image of one component and equal, "
+                                "positive spacing along all axes; choose another GridClass.");
   }
   const auto background = static_cast<float>(HalfWidth * spacing[0]);
   auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(Copy<float>(image, array, background));

@@ -96,7 +96,7 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   {
     std::ostringstream text;
     text << "The voxel size is " << voxelSize << ", but OpenVDB needs at least " << smallest
-         << "; scale the scene up.";
+         << "; enlarge VoxelSize, or scale the scene up.";
     throw std::invalid_argument(text.str());
   }
   auto tree = std::make_shared<openvdb::FloatTree>(band.Distances->tree());

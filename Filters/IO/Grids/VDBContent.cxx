@@ -36,7 +36,8 @@ void CheckIsClosed(const MeshTriangles& mesh)
   if (mesh.Triangles.empty())
   {
     throw std::invalid_argument(
-      "The input has no polygons, so there is no surface to write; connect a closed mesh.");
+      "The input has no polygons of three or more different points, so there is no surface to "
+      "write; connect a closed mesh.");
   }
   if (!mesh.Defects.IsClosed())
   {
