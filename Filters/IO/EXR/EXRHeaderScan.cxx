@@ -160,8 +160,9 @@ void CheckSize(const Imf::Header& header, bool tiled, double fileSize)
   if (8.0 * CountChunks(header, tiled, width, height) > fileSize ||
     (!deep && bytes > fileSize * FindLargestRatio(header.compression())))
   {
-    RefuseHeader("its header claims an image of " + std::to_string(static_cast<long long>(width)) +
-      " x " + std::to_string(static_cast<long long>(height)) + " pixels, which no file of " +
+    RefuseHeader("its header claims " + std::to_string(static_cast<long long>(width)) + " x " +
+      std::to_string(static_cast<long long>(height)) +
+      " pixels, or a number of chunks, that no file of " +
       std::to_string(static_cast<long long>(fileSize)) + " bytes can hold");
   }
 }

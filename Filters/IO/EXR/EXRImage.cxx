@@ -194,7 +194,8 @@ void Guard(const EXRInput& input, const Action& action)
         vtkErrorCode::PrematureEndOfFileError, "it ends too early; copy or write it again");
     }
     throw FileError(vtkErrorCode::FileFormatError,
-      std::string("it is damaged (OpenEXR: ") + error.what() + "); copy or write it again");
+      std::string("it is damaged, or not supported by this OpenEXR (") + error.what() +
+        "); copy or write it again");
   }
 }
 

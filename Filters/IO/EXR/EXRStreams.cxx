@@ -27,7 +27,8 @@ void EXRInput::Open(const std::string& name)
   const auto status = std::filesystem::status(name, error);
   if (!std::filesystem::exists(status))
   {
-    throw FileError(vtkErrorCode::FileNotFoundError, "there is no such file");
+    throw FileError(vtkErrorCode::FileNotFoundError,
+      "there is no such file, or no permission to search its folder");
   }
   if (std::filesystem::is_directory(status))
   {
