@@ -66,7 +66,7 @@ def read_ply(path: Path) -> Any:
             found.setdefault(element.name, columns)
         return _mesh_of(path, found)
     except (ValueError, KeyError, IndexError, OverflowError) as error:
-        what = str(error) if isinstance(error, _DamageError) else "its header is no .ply header"
+        what = str(error) if isinstance(error, _DamageError) else "it is damaged, or no .ply"
         raise OSError(f"{path} cannot be read: {what}; write the file again, as a .ply.") from error
 
 
@@ -86,6 +86,8 @@ def _read_header(content: bytes) -> tuple[str, list[_Element], int]:
             elements.append(_Element(words[1], int(words[2]), []))
         elif words[:1] == ["property"]:
             is_list = words[1] == "list"
+            if len(words) != (5 if is_list else 3):
+                raise ValueError
             kinds = [_TYPES[name] for name in (words[3:1:-1] if is_list else words[1:2])]
             elements[-1].properties.append(_Property(words[-1], *kinds))
         elif words[:1] not in (["comment"], ["obj_info"]):

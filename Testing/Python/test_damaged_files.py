@@ -98,6 +98,24 @@ class DamagedFiles(unittest.TestCase):
                 self.assertGreater(open_particles(path).load(0).GetNumberOfPoints(), 1)
                 self.damage(path, lambda path: open_particles(path).load(0))
 
+    def test_lines_of_a_header_without_all_words(self):
+        path = self.folder / "a.ply"
+        write_mesh(path, self.ball)
+        content = path.read_bytes()
+        for whole, rest in (
+            ("list uchar int vertex_indices", ("list", "list uchar", "list uchar int", "")),
+            ("float x", ("float", "float x y", "")),
+        ):
+            line = f"property {whole}\n".encode()
+            self.assertIn(line, content)
+            for words in rest:
+                with self.subTest(words):
+                    path.write_bytes(
+                        content.replace(line, f"property {words}".strip().encode() + b"\n")
+                    )
+                    with self.assertRaisesRegex(OSError, "is damaged, or no .ply"):
+                        read_shape(path)
+
     def test_lists_of_several_lengths(self):
         path = self.folder / "quad.ply"
         head = (
