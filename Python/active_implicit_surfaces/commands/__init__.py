@@ -18,7 +18,7 @@ from ..messages import ActiveSurfaceWarning
 from .options import Parser, add_help
 
 COMMANDS = {
-    "skin": "makes skins over particles: a file for each frame, and a film",
+    "skin": "makes skins over particles or images, as files and films",
     "morph": "changes one shape into another",
     "info": "describes files: points, bounds, spacing, arrays, times",
     "convert": "converts skins, meshes, images and particles to other formats",

@@ -127,7 +127,7 @@ def make_parser() -> Parser:
         "active-surface convert",
         "FILE ... -o NAME [options]",
         "Meshes, level sets and images to meshes and .vdb; particles to particles.\n"
-        + wrapped(f"Meshes from {', '.join(MESH_SUFFIXES)} to {', '.join(_MESHES)};")
+        + wrapped(f"Meshes and images from {', '.join(MESH_SUFFIXES)} to {', '.join(_MESHES)};")
         + "\n"
         + wrapped(
             f"particles from {', '.join(PARTICLE_SUFFIXES)} to {', '.join(PARTICLE_OUT_SUFFIXES)}."
@@ -151,7 +151,7 @@ def make_parser() -> Parser:
         "mask half-way)",
     )
     add_choice_options(parser)
-    add_up_option(parser, "found; y in a .usdc", "in a .glb or .usdc")
+    add_up_option(parser, "estimated; y in a .usdc", "in a .glb or .usdc")
     parser.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(parser)
     return parser

@@ -17,7 +17,7 @@ PICTURE_SIZE = (1280, 720)
 MAIN_PROPERTIES = {
     "particle_spacing": "distance between neighbouring particles (default: estimated)",
     "voxel_size": "resolution [length] (default: automatic)",
-    "tension": "weight of smoothing by curvature [length^2/time]",
+    "tension": "weight of smoothing by curvature [length^2/time] (default: automatic)",
     "attraction": "rate of approach to the target [1/time] (default: automatic)",
 }
 
@@ -159,7 +159,7 @@ def add_choice_options(group: Any) -> None:
         "--where",
         action="append",
         metavar="COND",
-        help="select data that meet COND: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
+        help="select data that meet each COND: Type=1, element=Na,Cl, id!=3, 'T>300'",
     )
     for option, told in (
         ("--label", "labels to select, or all; each label has its own output"),
@@ -179,7 +179,7 @@ def add_picture_options(parser: Parser, up: str) -> None:
         help="size of pictures in pixels (default: {}x{})".format(*PICTURE_SIZE),
     )
     pictures.add_argument("--no-ground", action="store_true", help="draw no ground below the skin")
-    add_up_option(pictures, up, "of pictures, .glb and .usdc")
+    add_up_option(pictures, up, "of pictures, .glb, .usdc")
 
 
 def add_up_option(group: Any, default: str, where: str) -> None:
@@ -188,7 +188,7 @@ def add_up_option(group: Any, default: str, where: str) -> None:
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
         metavar="AXIS",
-        help=f"up axis {where}: x, y, z, or --up=-y (default: {default})",
+        help=f"up axis {where}: x, y, z or --up=-y (default: {default})",
     )
 
 

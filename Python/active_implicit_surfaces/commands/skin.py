@@ -169,7 +169,7 @@ def make_parser() -> Parser:
     )
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
-    add_picture_options(parser, "found")
+    add_picture_options(parser, "estimated")
     more = parser.add_argument_group("more")
     more.add_argument("--resume", action="store_true", help="continue an interrupted run")
     more.add_argument(
@@ -195,7 +195,7 @@ def _add_input_options(parser: Parser) -> None:
         help="frames per second (default: times in the files, or 25)",
     )
     add_choice_options(files)
-    told = "omit clusters of fewer particles; or --minimum-volume X"
+    told = "omit clusters of fewer than N particles; or --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
     told = "first, last, step; --preroll N starts N steps before A"
