@@ -54,6 +54,8 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
     import difflib
 
     names = [name for action in parser._actions for name in action.option_strings]
+    if not word.startswith("-"):
+        return f"{word} is one argument too many; list all files together"
     name = word.partition("=")[0]
     # Short options resemble each other too much: -r is no typing error for -o.
     near = difflib.get_close_matches(name, names, 1, 0.5) if name.startswith("--") else []
