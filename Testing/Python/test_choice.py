@@ -296,7 +296,9 @@ class Programs(CommandTest):
         arguments = ("--frames", "13:13", "--preroll", 2, "--transport", 0.5, *QUIET)
         self.assertNotIn("No effect", self.succeed("skin", "p_*.npz", *arguments).err)
         said = self.fail_with(1, "skin", "p_*.npz", "--frames", "20:30")
-        self.assertIn("--frames 20:30:1 selects no frame; the frames are 10 to 16.", said)
+        self.assertIn(
+            "--frames 20:30:1 selects no frame; the frames are 10, 11, 12, 13, 14, 15, 16.", said
+        )
         for wrong in ("10", "a:b", "1:2:0", "1:2:3:4"):
             self.fail_with(2, "skin", "p_*.npz", "--frames", wrong)
         self.assertIn(

@@ -12,6 +12,7 @@ import numpy
 from .. import runner
 from ..api import frames
 from ..file_names import suffix_of
+from ..messages import few
 from ..particle_files import TARGET_SUFFIXES, ParticleFiles, labels_in, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
@@ -121,7 +122,7 @@ def _plan(options: Any, files: ParticleFiles) -> _Plan:
         if first <= number <= last and (number - first) % stride == 0
     ]
     if not wanted:
-        own = f"{files.numbers[0]} to {files.numbers[-1]}"
+        own = few(files.numbers) + (f" {files.numbers[-1]}" if len(files) > 8 else "")
         raise ValueError(
             f"--frames {first}:{last}:{stride} selects no frame; the frames are {own}."
         )
@@ -132,8 +133,8 @@ def _plan(options: Any, files: ParticleFiles) -> _Plan:
     else:
         start, end = files.times[wanted[0]], files.times[wanted[-1]]
         every = enumerate(times_between(files.times, options.output_fps))
-        few = 1e-6 / options.output_fps
-        chosen = [(time, i) for i, time in every if start - few <= time <= end + few]
+        rounding = 1e-6 / options.output_fps
+        chosen = [(time, i) for i, time in every if start - rounding <= time <= end + rounding]
         chosen = [(min(max(time, start), end), i) for time, i in chosen]
     times = [time for time, _ in chosen]
     needed = [bisect_left(files.times, time, hi=len(files) - 1) for time in times]
