@@ -255,7 +255,7 @@ class Programs(CommandTest):
 
     def test_nothing_left_is_said(self):
         said = self.succeed("convert", "p_10.npz", "--where", "Type>5", "-o", "c.csv").err
-        self.assertIn("Frame 1 is empty: nothing in it meets Type>5.", said)
+        self.assertIn("Frame 1 of 1 is empty: nothing in it meets Type>5.", said)
         self.assertEqual((self.folder / "c.csv").read_text().split(), ["x,y,z,Type"])
         said = self.fail_with(1, "skin", "p_*.npz", "--minimum-piece", 999, *QUIET)
         self.assertIn("No frame has particles in a cluster of 999 or more;", said)

@@ -97,7 +97,8 @@ def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -
     make_folder_of(output)
     load, numbers, used, write = kind(options, listing, output)
     if options.where:
-        load = _warning_of_none(load, " and ".join(options.where))
+        of_label = [] if options.label is None else [f"label={options.label}"]
+        load = _warning_of_none(load, " and ".join(options.where + of_label), len(numbers))
     is_usd = suffix_of(output) in USD_SUFFIXES
     names = [output] if is_usd else names_of(output, numbers)
     check_distinct(used, names)
@@ -110,13 +111,13 @@ def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -
     runner.run(load, range(len(numbers)), [sink, progress])
 
 
-def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], Any]:
+def _warning_of_none(load: Callable[[int], Any], where: str, count: int) -> Callable[[int], Any]:
     """Wraps `load` to warn of steps in which nothing meets the conditions."""
 
     def load_with_note(step: int) -> Any:
         data = load(step)
         if data.GetNumberOfPoints() == 0:
-            warn(f"Frame {step + 1} is empty: nothing in it meets {where}.")
+            warn(f"Frame {step + 1} of {count} is empty: nothing in it meets {where}.")
         return data
 
     return load_with_note
