@@ -76,7 +76,7 @@ def run(arguments: list[str]) -> int:
     files = listing.files
     already = [file for file in files if suffix_of(file) == suffix_of(output) == ".vdb"]
     if already:
-        raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
+        raise OSError(f"{already[0]} is a .vdb already; copy it, or write another format.")
     has_settings = options.level is not None or options.voxel_size is not None
     check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
     holds_particles = _holds_particles(files[0], output)
@@ -235,7 +235,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
             labels = labels_of(image) if options.level is None and low >= 0 else []
         raise OSError(
             f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
-            f"{high:g}; choose another --level"
+            f"{high:g}; choose another --level or file"
             + (f", or a --label of {few(labels, 20)}." if labels else ".")
         )
     return surface

@@ -185,7 +185,10 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
     for file, *parts in frames:
         mesh = choose(read_shape(file, parts=parts), where, note=note)
         if mesh.IsA("vtkImageData"):
-            raise OSError(f"{file} is an image, but only meshes are measured; leave it out.")
+            raise OSError(
+                f"{file} is an image, but only meshes are measured; convert it to a mesh, or "
+                "leave it out."
+            )
         found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})
     return found
 
