@@ -204,7 +204,7 @@ class Labels(CommandTest):
         write(vtkXMLImageDataWriter(), image_of(numpy.zeros((4, 4, 4))), self.folder / "none.vti")
         for command in ("convert", "skin"):
             said = self.fail_with(1, command, "none.vti", "--label", "all", "-o", "n_#.ply")
-            self.assertIn("no label except 0", said)
+            self.assertIn("has found no label", said)
 
     def test_infinite_values_are_no_labels(self):
         values = numpy.zeros((4, 4, 4))

@@ -55,7 +55,10 @@ def each_label(
         return
     labels = find() if options.labels == "all" else options.labels
     if not labels:
-        raise OSError("The data have no label except 0; leave --label out, or choose other files.")
+        raise OSError(
+            "--label all has found no label (in images 0 is none); give numbers, as --label 3, or "
+            "leave --label out."
+        )
     for label in labels:
         own = Namespace(**vars(options), label=label)
         for key in ("output", "render", "index", "history", "plot"):
