@@ -60,11 +60,17 @@ class Errors(CommandTest):
         skin, morph = ("skin", "p.npz"), ("morph", "a.stl", "b.stl")
         film = (*skin, "--render", "a.png")
         cases = {
-            (*skin, "--size", "64x64"): "on pictures (--render)",
-            (*morph, "--size", "1280x720"): "on pictures (--render)",
-            (*skin, "--no-ground"): "on pictures (--render)",
-            (*skin, "--up", "z"): "on pictures (--render) or on a .glb",
-            (*morph, "-o", "m.stl", "--up", "z"): "on pictures (--render) or on a .glb",
+            (*skin, "--size", "64x64"): "on pictures (--render of skin and morph)",
+            (*morph, "--size", "1280x720"): "on pictures (--render of skin and morph)",
+            (*skin, "--no-ground"): "on pictures (--render of skin and morph)",
+            (*skin, "--up", "z"): "on pictures (--render of skin and morph) or on a .glb",
+            (
+                *morph,
+                "-o",
+                "m.stl",
+                "--up",
+                "z",
+            ): "on pictures (--render of skin and morph) or on a .glb",
             ("convert", "a.stl", "-o", "c.ply", "--up", "z"): "on a .glb or on a .usdc",
             (*skin, "--times", "0,1", "--fps", 24): "without --times or on pictures",
             (*film, "--index", "a.pvd"): "on skins that are written (-o)",

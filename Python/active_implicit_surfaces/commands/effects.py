@@ -65,10 +65,10 @@ _WHERE = {
     "no_radii": "without --radii",
     "no_times": "without --times",
     "particles": "on particles, with active-surface skin",
-    "pipeline": "in a pipeline of VTK; the times here are those of --times, --fps or --duration",
+    "pipeline": "in a pipeline of VTK; here set --times or --fps of skin, or --duration of morph",
     "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
     "range": "before the first of --frames FIRST:LAST",
-    "render": "on pictures (--render)",
+    "render": "on pictures (--render of skin and morph)",
     "series": "from one frame to the next",
 }
 
