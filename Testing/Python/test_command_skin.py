@@ -233,7 +233,7 @@ class GoingOn(CommandTest):
         self.fail_with(1, *self.command)
         (self.folder / "p0.npy").unlink()
         said = self.fail_with(1, *self.command, "--resume", "--times", "0:.16:5")
-        self.assertIn("p1.npy was", said)
+        self.assertIn("p1.npy is in place of", said)
 
     def test_a_missing_skin_is_told(self):
         self.fail_with(1, *self.command)
