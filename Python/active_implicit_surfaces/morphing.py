@@ -102,7 +102,7 @@ class morph(Skins):
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
         for name in _OF_DURATION & set(options):
-            raise TypeError(f"{name} follows from duration and frames; leave {name} out.")
+            raise TypeError(f"{name} is set by morph, from duration and frames; leave {name} out.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames has to be a whole number of 2 or more, not {frames}.")
         if fit not in FITS:
@@ -125,9 +125,10 @@ class morph(Skins):
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
-                f"The skin has vanished by the time {self.times[step]:g} and does not reach the "
-                "last shape: the first and the last shape do not overlap, or have parts thinner "
-                "than two voxels. Give fit to make the shapes overlap, or reduce voxel_size."
+                f"The skin has vanished by the time {self.times[step]:g}. Either the shapes do not "
+                "overlap (without create_parts), parts are thinner than two voxels, tension is too "
+                "large, or nothing is inside an image. Give fit, reduce voxel_size or tension, or "
+                "set target_iso_value."
             )
         return skin
 
@@ -187,9 +188,10 @@ def _describe_difference(first: Any, last: Any) -> str:
     if 1 / _FAR <= to_size / size <= _FAR and apart <= 0.5 * max(size, to_size):
         return ""
     return (
-        f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
-        f"{apart:g} apart. If they differ in unit or place, fit the last shape to the first by the "
-        "option fit: box for size and place, centre for place."
+        f"The longest side of the bounds is {size:g} for the first shape, {to_size:g} for the "
+        f"last; the centres of the bounds are {apart:g} apart. If the shapes differ in unit or "
+        "place, fit the last to the first by the option fit: box for size and place, centre for "
+        "place."
     )
 
 

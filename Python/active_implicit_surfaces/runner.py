@@ -101,8 +101,8 @@ def check_mode(surface: Any, count: int) -> None:
     """Raises ValueError for several frames with EQUILIBRIUM, in which the filter has no time."""
     if count > 1 and surface.GetEvolutionMode() == surface.EQUILIBRIUM:
         raise ValueError(
-            f"evolution_mode equilibrium makes one skin, of the first frame, but there are {count} "
-            "frames; give one frame, or leave evolution_mode out."
+            f"evolution_mode equilibrium makes one skin, but there are {count} frames; leave "
+            "evolution_mode out, or, except in a morph, give one frame."
         )
 
 
