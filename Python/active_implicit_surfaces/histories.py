@@ -52,7 +52,9 @@ def history(surface: Any) -> dict[str, Any]:
         table = surface.GetHistory()
     heard.raise_error(ValueError)
     if table is None or table.GetNumberOfRows() == 0:
-        raise ValueError("There is no history yet; update the surface first.")
+        raise ValueError(
+            "There is no history; update the surface first. On several ranks only rank 0 has it."
+        )
     columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
     rows = range(table.GetNumberOfRows())
     return {one.GetName(): numpy.array([one.GetValue(row) for row in rows]) for one in columns}

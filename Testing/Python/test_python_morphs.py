@@ -169,7 +169,7 @@ class Plots(unittest.TestCase):
             active.plot_history(self.skins, ["Weight"], axes=[Axes()])
         with self.assertRaisesRegex(ValueError, "1 axes for 2 columns"):
             active.plot_history(self.skins, ["Volume", "Area"], axes=[Axes()])
-        with self.assertRaisesRegex(ValueError, "no history yet"):
+        with self.assertRaisesRegex(ValueError, "There is no history;"):
             active.plot_history(active.vtkActiveImplicitSurface(), axes=[Axes()])
 
     def test_without_matplotlib(self):
