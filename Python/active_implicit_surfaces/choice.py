@@ -189,7 +189,8 @@ def _values_of(data: Any, name: str) -> tuple[Any, bool]:
             array = attributes.GetArray(component["name"])
             if array is not None and array.GetNumberOfComponents() > axis:
                 return vtk_to_numpy(array)[:, axis], is_of_cells
-    listed = ", ".join(["x", "y", "z", *array_names(data.GetPointData())])
+    held_names = [one for attributes, _ in held for one in array_names(attributes)]
+    listed = ", ".join(["x", "y", "z", *held_names])
     raise ValueError(f"There is no array {name!r} to choose by; there are {listed}.")
 
 
@@ -226,8 +227,8 @@ def labels_of(data: Any) -> list[int]:
         raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
     if len(values) > _MOST_LABELS:
         raise ValueError(
-            f"There are no labels: the array has {len(values)} different values, more "
-            f"than {_MOST_LABELS}; leave label out."
+            f"The array has {len(values)} different values, more than {_MOST_LABELS}, so labels "
+            "are not listed; give a label that the array has, or leave label out."
         )
     return [int(value) for value in values if value != 0 or not data.IsA("vtkImageData")]
 
@@ -243,7 +244,7 @@ def _choose_label(data: Any, label: int) -> Any:
         name = next(name for name in _LABEL_ARRAYS if _has(data, name))
         return choose(data, f"{name}={label}", note=lambda _: None)  # this frame may lack the label
     if not (values == label).any():
-        there = few(labels_of(data), 20)
+        there = few(labels_of(data), 20) or "none"
         raise ValueError(f"The image has no label {label}; it has {there}.")
     return image_of_label(data, label)
 

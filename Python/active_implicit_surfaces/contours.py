@@ -84,16 +84,20 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
         return level, above
     if len(labels) > 1:
         raise ValueError(
-            f"The image has the labels {few(labels, 20)}; choose one (active-surface --label, or "
-            "vtkImageThreshold)."
+            f"The image has the values {few(labels, 20)}; if they are labels, choose one "
+            "(active-surface --label, or vtkImageThreshold), else give target_iso_value, the value "
+            "at the surface, and invert_target if inside is above."
         )
     if values[0] == values[-1]:
         raise ValueError(
             f"The image has no surface: all values are {values[0]:g}. Choose another label or file."
         )
+    finite = values[numpy.isfinite(values)]
+    if not finite.size:
+        raise ValueError("The image has no finite value, so no inside; give another image.")
     raise ValueError(
-        f"The image has no inside: its values are from {values[0]:g} to {values[-1]:g}, none "
-        f"below 0. "
+        f"The image has no inside: its values are from {finite[0]:g} to {finite[-1]:g}, none "
+        "below 0. "
         "Give target_iso_value, the value at the surface; also invert_target if inside is above."
     )
 
@@ -179,7 +183,9 @@ def _with_point_values(image: Any) -> tuple[Any, Any]:
         image = output_of(vtkCellDataToPointData(), image)
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise ValueError("The image has no scalars with one component; give a scalar image.")
+        raise ValueError(
+            "The image has no active scalars with one component; set them, or give another image."
+        )
     return image, vtk_to_numpy(scalars)
 
 

@@ -212,7 +212,7 @@ class Images(CommandTest):
         said = self.fail_with(1, "convert", "labels.nrrd", "-o", "a.stl")
         self.assertIn("or a --label of 1, 3.", said)
         said = self.fail_with(1, "morph", "labels.nrrd", "a.nrrd")
-        self.assertIn("has the labels 1, 3; choose one (active-surface --label, or", said)
+        self.assertIn("has the values 1, 3; if they are labels, choose one (active-surface", said)
 
     def test_what_is_not_read_is_said(self):
         head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 1\nencoding: text\n\n7\n"

@@ -63,7 +63,7 @@ class Series(CommandTest):
     def test_labels(self):
         self.write("labels", 2)
         said = self.fail_with(1, "skin", "v_*.vti", "--quiet")
-        self.assertIn("The image has the labels 2, 3; choose one (active-surface --label, or", said)
+        self.assertIn("The image has the values 2, 3; if they are labels, choose one", said)
         said = self.fail_with(1, "skin", "v_*.vti", "--label", 7, "--quiet")
         self.assertIn("The image has no surface: all values are 0. Choose another label", said)
         self.succeed("skin", "v_*.vti", "--labels", "all", "-o", "s_#.ply", "--quiet")
