@@ -60,7 +60,10 @@ def _check_size(reader: Any, size: int) -> None:
     width = vtkDataArray.GetDataTypeSize(reader.GetDataScalarType())
     needed = count * width * reader.GetNumberOfScalarComponents()
     if not 0 < needed <= size:
-        raise ValueError(f"it has {size} of {needed} bytes of values; write it again")
+        raise ValueError(
+            f"its header describes {needed} bytes of values, but there are at most {size}; write "
+            "it again"
+        )
 
 
 def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
@@ -99,7 +102,7 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
     if fields.get("encoding", "").lower() in ("gz", "gzip"):
         body, fields["encoding"] = gzip.decompress(body), "raw"
     if is_meta and not {"NDims", "DimSize", "ElementType"} <= fields.keys():
-        raise ValueError("it has no NDims, DimSize or ElementType")
+        raise ValueError("it lacks NDims, DimSize or ElementType")
     if fields.get("encoding", "raw").lower() != "raw":
         raise ValueError(f"its encoding is {fields['encoding']}; write it as raw or gzip")
     if fields.get("CompressedData", "").lower() == "true":
@@ -147,8 +150,8 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
         warn(
-            f"{path}: the image is rotated by other than right angles; the rotation is ignored. "
-            "Resample the image along the axes."
+            f"{path}: the image is rotated by other than right angles, or sheared, which is "
+            "ignored. Resample the image along the axes."
         )
     elif (order != (0, 1, 2)).any() or (signs < 0).any():
         _move_rows(image, order.tolist(), signs)
