@@ -51,14 +51,17 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
 
     Returns vtkImageData: image with the point array "distance" [length], clamped to +-2 voxels.
 
-    Raises ValueError if all atoms are ignored, the probe touches too many atoms, or the image would
-    be too large.
+    Raises ValueError if all atoms are ignored, the probe touches too many pairs of atoms, or the
+    image would be too large.
     """
     radii = numpy.asarray(radii, float).reshape(-1)
     balls = numpy.column_stack([numpy.asarray(centers, float).reshape(-1, 3), radii])
     balls = numpy.unique(balls[(radii > 0) & numpy.isfinite(balls).all(axis=1)], axis=0)
     if len(balls) == 0:
-        raise ValueError("No atom has a radius, so there is no surface; give elements or radii.")
+        raise ValueError(
+            "No atom has a radius above 0 and a finite position, so there is no surface; give "
+            "elements or radii."
+        )
     grid = _Grid(balls[:, :3], balls[:, 3], voxel, probe)
     _check_overlaps(grid.centers, grid.radii, probe)
     grid.add_balls()
@@ -71,14 +74,17 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
 
 
 def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
-    """Raises ValueError if the probe touches too many atoms at once."""
+    """Raises ValueError if the probe touches too many pairs of atoms."""
     size = 2.0 * radii.max()
     cells = numpy.floor((centers - centers.min(axis=0)) / size)
     _, counts = numpy.unique(cells, axis=0, return_counts=True)
-    if 4 * int((counts.astype(numpy.int64) ** 2).sum()) > MOST_PAIRS:
+    pairs = 4 * int((counts.astype(numpy.int64) ** 2).sum())
+    if pairs > MOST_PAIRS:
         raise ValueError(
-            f"A probe of radius {probe:g} touches too many atoms at once; reduce the radius. A "
-            "probe of water has 1.4 Angstrom, to be given in the length unit of the atoms."
+            f"A probe of radius {probe:g} touches too many pairs of atoms at once, an estimated "
+            f"{pairs:.3g}, more than {MOST_PAIRS:g}. Select fewer atoms, reduce the radius, "
+            "or correct units: probe (water: 1.4 Angstrom), radii and positions need one unit of "
+            "length."
         )
 
 
@@ -133,10 +139,10 @@ class _Grid:
         self.shape = high - self.low + 1
         count = int(numpy.prod(self.shape.astype(float)))
         if count > MOST_POINTS:
-            least = voxel * (count / MOST_POINTS) ** (1 / 3)
+            least = 1.03 * voxel * (count / MOST_POINTS) ** (1 / 3)  # 3 % more: the text rounds
             raise ValueError(
                 f"An image of voxels of {voxel:g} around the atoms has {count} points, more than "
-                f"{MOST_POINTS}; set the voxel size to {least:.2g} or more."
+                f"{MOST_POINTS}; set the voxel size to {least:.3g} or more."
             )
         self.depth = numpy.full(self.shape, -numpy.inf, "f4")
         self.owner = numpy.zeros(self.shape, "i4")

@@ -223,7 +223,7 @@ class Skins(unittest.TestCase):
             ("0 or more, not nan", {"probe": float("nan"), "radii": radii}),
             ("preset molecule has no effect", {"probe": 1.4, "radii": radii, "preset": "molecule"}),
             ("array of strengths", {"probe": 1.4, "radii": radii, "strengths": radii}),
-            ("No atom has a radius", {"probe": 1.4, "radii": 0 * radii}),
+            ("No atom has a radius above 0", {"probe": 1.4, "radii": 0 * radii}),
             ("set the voxel size", {"probe": 1.4, "radii": radii, "voxel_size": 0.001}),
         )
         for said, options in cases:
@@ -232,7 +232,7 @@ class Skins(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "no property 'fps'"):
             active.skin(centers, radii=radii, probe=1.4, fps=10)
         few = mock.patch.object(solvent, "MOST_PAIRS", 1000)
-        with few, self.assertRaisesRegex(ValueError, "touches too many atoms"):
+        with few, self.assertRaisesRegex(ValueError, "touches too many pairs of atoms"):
             active.skin(centers, radii=radii, probe=50.0)
 
 
