@@ -76,7 +76,7 @@ def warn_of_losses(suffix: str, data: Any) -> None:
         better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
         warn(
             f"A {suffix} file cannot hold {', '.join(lost)}, so these are left out; write "
-            f"{' or '.join(better)} to keep all data."
+            f"{' or '.join(better)} to keep them."
         )
 
 
@@ -97,8 +97,8 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
     if rounding > _ROUNDING * edge:
         warn(
             f"A {suffix} file rounds points to single precision, by up to {rounding:.2g} here, "
-            f"where edges are {edge:.2g} long; write .ply, .obj or .vtp, or move the data near the "
-            "origin."
+            f"where edges are about {edge:.2g} long; write .ply, .obj or .vtp, or move the data "
+            "near the origin."
         )
 
 
@@ -110,8 +110,8 @@ def warn_of_coarse(path: Path, mesh: Any) -> None:
     step, edge = float(numpy.spacing(numpy.abs(points).max())), edge_of(mesh)
     if 0.5 * step > _ROUNDING * edge:
         warn(
-            f"{path}: points of single precision are multiples of {step:.2g} here, where edges are "
-            f"{edge:.2g} long; use a file of double precision, or data near the origin."
+            f"{path}: points of single precision have steps of up to {step:.2g} here, where edges "
+            f"are about {edge:.2g} long; use a file of double precision, or data near the origin."
         )
 
 

@@ -82,8 +82,8 @@ def describe_precision(cloud: Any, spacing: float) -> list[str]:
     if not spacing or step <= _COARSE * spacing:
         return []
     return [
-        f"The particles' positions are of single precision, multiples of {step:.2g} here, where "
-        f"their spacing is {spacing:g}; use double precision, or data near the origin."
+        f"The particles' positions are of single precision, with steps of up to {step:.2g} here, "
+        f"where their spacing is {spacing:g}; use double precision, or data near the origin."
     ]
 
 

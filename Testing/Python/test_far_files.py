@@ -63,7 +63,7 @@ class Files(CommandTest):
     def test_a_stl_says_it(self):
         said, path = self.write(".stl")
         self.assertIn("A .stl file rounds points to single precision, by up to", said)
-        with self.assertWarnsRegex(ActiveSurfaceWarning, "multiples of 0.5 here, where edges are"):
+        with self.assertWarnsRegex(ActiveSurfaceWarning, "steps of up to 0.5 here, where edges"):
             read_shape(path)
 
     def test_a_vdb(self):
@@ -153,7 +153,7 @@ class Files(CommandTest):
 class SinglePrecision(CommandTest):
     def test_particles_that_are_too_coarse(self):
         far = (grid() / 10 + MAP).astype("f4")
-        with self.assertWarnsRegex(ActiveSurfaceWarning, "multiples of 0.5 here, where their"):
+        with self.assertWarnsRegex(ActiveSurfaceWarning, "steps of up to 0.5 here, where their"):
             active.skin(far, particle_spacing=SPACING)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
