@@ -295,7 +295,8 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [
             f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart; give about "
-            f"{own:g}. A smaller spacing breaks the skin into drops, a larger one makes a lump."
+            f"{own:g}. Without radii a smaller spacing breaks the skin into drops, a larger one "
+            "makes a lump."
         ]
     if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
         return [

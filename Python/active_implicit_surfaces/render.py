@@ -182,7 +182,8 @@ def capture(
     if window.GetClassName() == "vtkRenderWindow":
         raise ValueError(
             "The window cannot draw: it was made before VTK's OpenGL was loaded; import "
-            "vtkmodules.vtkRenderingOpenGL2, or this module, before the window is made."
+            "vtkmodules.vtkRenderingOpenGL2, or active_implicit_surfaces.render, before the "
+            "window is made."
         )
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
