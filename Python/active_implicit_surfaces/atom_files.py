@@ -92,7 +92,8 @@ def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
         for name, kind, _, size in found
     ):
         raise ValueError(
-            f"its Properties={properties} name no positions; write them as in {_DEFAULT}"
+            f"its Properties={properties} are malformed, or name no positions; write them as in "
+            f"{_DEFAULT}"
         )
     return found
 
@@ -166,10 +167,10 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
-        effect = "have the radius 0" if are_known else "have radii from their distances"
+        effect = "get the radius 0" if are_known else "get no radius"
         warn(
             f"{few(unknown)}: there is no element of this symbol, or no known radius; these atoms "
-            f"{effect}. Write elements in the file."
+            f"{effect}. Write elements in the file, or choose an array of radii."
         )
 
 
@@ -349,6 +350,6 @@ def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> An
             table[row] = [float(line[start:end]) for start, end in columns]
         except ValueError as error:
             raise ValueError(
-                f"line {place} lacks a position, velocity, residue number or cell; correct it"
+                f"line {place} lacks a valid position, velocity, residue number or cell; correct it"
             ) from error
     return table

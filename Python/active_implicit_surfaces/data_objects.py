@@ -90,7 +90,10 @@ def as_shape(shape: Any) -> Any:
         return shape
     if _is_vtk(shape, "vtkPolyData"):
         if not has_polygons(shape) and shape.GetNumberOfLines() == 0:
-            raise ValueError("The mesh has no polygons; for a skin over points use skin().")
+            raise ValueError(
+                "There are no polygons and no lines; for a skin over points use skin() or "
+                "active-surface skin."
+            )
         return shape
     if _is_vtk(shape, "vtkPointSet"):
         return as_shape(output_of(vtkGeometryFilter(), shape))

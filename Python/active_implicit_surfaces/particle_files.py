@@ -198,7 +198,9 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
         return [lambda: read_vtk(path)], None
     if suffix not in PARTICLE_SUFFIXES:
         if suffix in READERS:
-            raise OSError(f"{path} holds no particles, but a mesh.{_ABOUT_MESHES}")
+            raise OSError(
+                f"{path}: {suffix} is a format of meshes, not of particles.{_ABOUT_MESHES}"
+            )
         raise OSError(
             f"{path}: particles are read from {', '.join(TARGET_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."

@@ -49,8 +49,8 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
     if "Lattice" not in known:
         raise ValueError(
-            "The particles have no box (files .xyz, .dump, .gro and .pdb may have one); give "
-            "periodic_bounds in place of periodic."
+            "There are no particles with a box (files .xyz, .dump, .gro and .pdb may have one); "
+            "give periodic_bounds in place of periodic."
         )
     edges = known["Lattice"].reshape(3, 3)
     sides = numpy.diag(edges)
@@ -62,7 +62,9 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     low = known.get("Origin", numpy.zeros(3)).reshape(3)
     repeats = known.get("pbc", numpy.ones(3)).reshape(3).astype(bool) & (sides > 0)
     if not repeats.any():
-        raise ValueError("No side of the particles' box is periodic (pbc); leave periodic out.")
+        raise ValueError(
+            "No side of the particles' box is periodic (pbc) and longer than 0; leave periodic out."
+        )
     ends = [
         (float(a), float(a + side)) if own else (1.0, -1.0)
         for a, side, own in zip(low, sides, repeats)

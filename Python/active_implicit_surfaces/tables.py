@@ -42,6 +42,7 @@ _MISSING = frozenset(("", "-", *"na NA n/a N/A null Null NULL none None NONE".sp
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")
 _FORTRAN = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d+$)")  # 1.5D-3
+_ABOUT_COMMAS = "; name each column, or, if commas are decimal marks, separate columns by ;"
 _SAMPLED = 40  # lines searched for the header and for the types of columns
 
 
@@ -188,7 +189,7 @@ def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> s
         f"{len(names)}"
     )
     are_commas = len(cells) > len(names)
-    return said + ("; write decimal points, or separate columns by ;" if are_commas else "; fix it")
+    return said + (_ABOUT_COMMAS if are_commas else "; fix it")
 
 
 def _find_numbers(lines: list[str]) -> _Form:

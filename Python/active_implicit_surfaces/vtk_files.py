@@ -179,8 +179,8 @@ def _check_obj(path: Path) -> None:
         forms = {_check_corner(path, corner, whole, so_far) for corner in corners}
         if len(forms) > 1 or not forms:
             raise OSError(
-                f"{path} cannot be read: a polygon has no corners, or corners of different forms "
-                "(v, v/vt, v//vn); correct it."
+                f"{path} cannot be read: a polygon or line has no corners, or corners of different "
+                "forms (v, v/vt, v//vn); correct it."
             )
 
 
@@ -252,6 +252,6 @@ def _check_stl(path: Path) -> None:
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
     if not head.lstrip().lower().startswith(b"solid") and size < 84 + 50 * count:
         raise OSError(
-            f"{path} cannot be read: it has {size} bytes, but its {count} triangles take "
-            f"{84 + 50 * count}; write it again."
+            f"{path} cannot be read: it is incomplete or no .stl: it has {size} bytes, but the "
+            f"{count} triangles of its header take {84 + 50 * count}; write it again."
         )

@@ -377,7 +377,7 @@ class Files(CommandTest):
         self.assertIn("changes its sides (2 x 2", self.fail_with(1, *command))
         numpy.save(self.folder / "p.npy", water(0))
         command = ("skin", "p.npy", "--periodic", "-o", "a.vtp")
-        self.assertIn("have no box", self.fail_with(1, *command))
+        self.assertIn("no particles with a box", self.fail_with(1, *command))
 
 
 if __name__ == "__main__":

@@ -150,7 +150,7 @@ class Tables(ReaderTest):
 
     def test_what_is_wrong_is_said(self):
         for words, text in {
-            "decimal points": "x,y,z\n0,5,1,25,2,0\n",
+            "decimal marks": "x,y,z\n0,5,1,25,2,0\n",
             "line 2 has 2 column": "x,y,z\n1,2\n",
             'line 3 has "1.000,5"': "x;y;z\n1;2;3\n4;1.000,5;6\n",
             "no columns x, y and z of numbers.*; it has a, b, c": "a,b,c\n1,2,3\n",

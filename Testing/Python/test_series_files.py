@@ -252,7 +252,7 @@ class Meshes(ReaderTest):
             self.assertEqual(len(holds), 1)
         for suffix in (".stl", ".obj"):
             write_mesh(self.folder / f"a{suffix}", mesh)
-            self.assert_refused("holds no particles, but a mesh", self.folder / f"a{suffix}")
+            self.assert_refused(f"{suffix} is a format of meshes, not", self.folder / f"a{suffix}")
 
 
 class Empty(ReaderTest):

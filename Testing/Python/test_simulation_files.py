@@ -157,7 +157,7 @@ class Atoms(ReaderTest):
         for words, wrong in (
             ("fewer atoms than the 3", text[:150]),
             ("line 2 is not the number of atoms", "a\nb\n"),
-            ("line 4 lacks a position, velocity", text.replace("0.190", "x.190")),
+            ("line 4 lacks a valid position, velocity", text.replace("0.190", "x.190")),
         ):
             self.assert_refused(words, self.put("b.gro", wrong))
 
