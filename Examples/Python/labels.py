@@ -25,7 +25,7 @@ def main():
     for name, skin in skins.items():
         error = np.abs(distance_to_knot(vtk_to_numpy(skin.GetPoints().GetData()))).mean()
         share = 100 * (abs(measure(skin)["volume"]) / volume - 1)
-        print(f"{name}: mean error {error:.3f}, volume {share:+.2f} % of the label's")
+        print(f"{name}: mean error {error:.3f}, volume {share:+.2f} % from the label's")
     pictures = [[skin_actor(skin, CLAY)] for skin in skins.values()]
     write_film_strip(folder / "labels.png", pictures, view=(0.3, -1, 0.8), width=2000)
     print(f"wrote {folder / 'labels.png'}")

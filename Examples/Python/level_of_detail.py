@@ -47,5 +47,5 @@ change = abs(volumes[BACK - 1] / volumes[0] - 1)
 print(f"from {FINE} to {COARSE} particles the volume changes by {change:.1%},")
 print(f"from one frame to the next by {steps.max():.1%} at most")
 if max(change, steps.max()) > 0.05:
-    raise SystemExit("the skin jumps")
+    raise SystemExit("the volume changes by more than 5 %")
 write_film_strip(folder / "level_of_detail.png", balls, skins, view=(0.4, 0.4, 1))
