@@ -132,15 +132,30 @@ void vtkActiveEXRWriter::Write()
     this->Fail(vtkErrorCode::UserError, "There is no input to write; connect an image.");
     return;
   }
-  this->Chosen->Step = 0;
-  this->Chosen->Asked = false;
-  this->Modified(); // forces writing although nothing has changed
-  this->UpdateWholeExtent();
-  if (!this->Chosen->Asked)
+  Settings& chosen = *this->Chosen;
+  // Not by CONTINUE_EXECUTING: if the input fails at a later step, VTK repeats the update forever.
+  for (chosen.Step = 0; chosen.Step == 0 || chosen.Step < this->CountSteps(); ++chosen.Step)
   {
-    this->Fail(vtkErrorCode::UnknownError,
-      "The update of the input failed, so no file is written; see the error of the input.");
+    chosen.Asked = false;
+    this->Modified(); // forces writing although nothing has changed
+    this->UpdateWholeExtent();
+    if (!chosen.Asked)
+    {
+      this->Fail(vtkErrorCode::UnknownError,
+        "The update of the input failed, so no file is written for this time; see the error of "
+        "the input.");
+    }
+    if (this->GetErrorCode() != vtkErrorCode::NoError)
+    {
+      break;
+    }
   }
+  chosen.Step = 0;
+}
+
+int vtkActiveEXRWriter::CountSteps() const
+{
+  return this->WriteAllTimeSteps ? static_cast<int>(this->Chosen->Times.size()) : 1;
 }
 
 int vtkActiveEXRWriter::RequestInformation(
@@ -170,22 +185,11 @@ int vtkActiveEXRWriter::RequestUpdateExtent(
 }
 
 int vtkActiveEXRWriter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  const auto again = vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING();
-  Settings& chosen = *this->Chosen;
-  chosen.Asked = true;
+  this->Chosen->Asked = true;
   this->WriteStep(vtkImageData::GetData(inputs[0]));
-  const bool well = this->GetErrorCode() == vtkErrorCode::NoError;
-  if (well && this->WriteAllTimeSteps && chosen.Step + 1 < static_cast<int>(chosen.Times.size()))
-  {
-    ++chosen.Step;
-    request->Set(again, 1);
-    return 1;
-  }
-  chosen.Step = 0;
-  request->Remove(again);
-  return well ? 1 : 0;
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
 }
 
 void vtkActiveEXRWriter::WriteStep(vtkImageData* image)

@@ -254,6 +254,7 @@ private:
 
   struct Settings;
 
+  int CountSteps() const;
   void WriteStep(vtkImageData* image);
   void WriteImage(vtkImageData* image, const std::string& name);
   void Fail(unsigned long code, const std::string& sentence);

@@ -185,14 +185,14 @@ TEST(TestEXRErrors, FoldersThatCannotBeWrittenAreTold)
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "No such file", "a missing folder");
   writer->SetFileName((folder / "taken.exr").c_str());
   CheckWriteRefused(
-    writer, vtkErrorCode::CannotOpenFileError, "folder or a device", "a folder in its place");
+    writer, vtkErrorCode::CannotOpenFileError, "folder, device or pipe", "a folder in its place");
   writer->SetFileName("/proc/a.exr"); // not writable even for root
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "a.exr", "an unwritable one");
   // A pipe stands for devices, which a failing test would delete.
   const path pipe = folder / "pipe.exr";
   EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0) << "a pipe is made";
   writer->SetFileName(pipe.c_str());
-  CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "folder or a device", "a pipe");
+  CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "folder, device or pipe", "a pipe");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe)) << "the pipe is as it was";
   EXPECT_EQ(CountFiles(folder), 2u) << "nothing else is left";
 }
@@ -267,6 +267,7 @@ public:
   static Clock* New();
   vtkTypeMacro(Clock, vtkImageAlgorithm);
   int Steps = 4;
+  bool Fails = false; // at the time 1
 
 protected:
   Clock() { this->SetNumberOfInputPorts(0); }
@@ -293,7 +294,7 @@ protected:
     {
       image->Initialize();
     }
-    return 1;
+    return time == 1 && this->Fails ? 0 : 1;
   }
 };
 vtkStandardNewMacro(Clock);
@@ -330,6 +331,14 @@ TEST(TestEXRErrors, AllTimeStepsAreWritten)
   CheckWriteRefused(writer, vtkErrorCode::UserError, "empty", "a step that is not there");
   EXPECT_TRUE(std::filesystem::exists(folder / "c.0011.exr")) << "those before are there";
   EXPECT_FALSE(std::filesystem::exists(folder / "c.0013.exr")) << "it stops";
+
+  clock->Fails = true;
+  clock->Modified();
+  writer->SetFileName((folder / "d.exr").c_str());
+  CheckWriteRefused(
+    writer, vtkErrorCode::UnknownError, "update of the input failed", "a step that fails");
+  EXPECT_TRUE(std::filesystem::exists(folder / "d.0011.exr")) << "those before are there";
+  EXPECT_FALSE(std::filesystem::exists(folder / "d.0012.exr")) << "it stops";
 }
 
 }
