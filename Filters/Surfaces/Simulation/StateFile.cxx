@@ -16,6 +16,14 @@ namespace activesurface
 namespace
 {
 
+/** Returns the text of an error without its final period. */
+std::string ReasonOf(const std::exception& error)
+{
+  std::string reason = error.what();
+  reason.erase(reason.find_last_not_of('.') + 1);
+  return reason;
+}
+
 openvdb::GridBase::Ptr FindSavedGrid(const std::string& file)
 {
   const VDBFile content = ValidateVDB(file);
@@ -53,7 +61,7 @@ void WriteState(const std::string& file, const SavedState& state)
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error("The state cannot be written to " + file + ": " + error.what() +
+    throw std::runtime_error("The state cannot be written to " + file + ": " + ReasonOf(error) +
       "; check that the folder exists and is writable, and that the disk is not full.");
   }
 }
@@ -75,9 +83,8 @@ SavedState ReadState(const std::string& file)
   }
   catch (const std::exception& error)
   {
-    std::string reason = error.what();
-    reason.erase(reason.find_last_not_of('.') + 1);
-    throw std::runtime_error("No state of a surface can be loaded from " + file + ": " + reason +
+    throw std::runtime_error("No state of a surface can be loaded from " + file + ": " +
+      ReasonOf(error) +
       "; load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }
