@@ -84,8 +84,8 @@ std::string ParticleShape::Prepare(const TargetOptions& options, const Warnings&
     messages.Say("ignored particles",
       std::to_string(count) + (count > 1 ? " particles are" : " particle is") + " left out " +
         options.When +
-        " because a coordinate, radius or strength is not within +-1e100, or a radius is below "
-        "1e-100. Correct or remove such particles.");
+        " because a coordinate, radius or strength is not finite (NaN, or beyond +-1e100), or a "
+        "radius is below 1e-100. Correct or remove such particles.");
   }
   options.GiveRadii(options.Model, this->Particles);
   return "";

@@ -254,7 +254,7 @@ TEST(TestMessages, ArraysThatCannotBeAreErrors)
   filter->SetKernelRadius(0.3);
   filter->SetInputArrayToProcess(0, 0, 0, points, "mass");
   Refuses(filter, "no point array as chosen by SetInputArrayToProcess(0");
-  Refuses(filter, "one of the input's point arrays: \"");
+  Refuses(filter, "one of the input's point arrays");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "half");
   Refuses(filter, "no point array as chosen by SetInputArrayToProcess(0");
   filter->SetInputArrayToProcess(0, 0, 0, points, "name");

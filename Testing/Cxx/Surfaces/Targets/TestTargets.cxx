@@ -234,7 +234,7 @@ TEST(TestTargets, OpenMeshIsAWarningOrAShell)
   filter->UpdateTimeStep(0.0);
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "MeshThickness > 0 for a shell"), 1)
     << "warnings";
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "are a seam, merge the points"), 1)
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "are a seam, merge its points"), 1)
     << "warnings that name the remedy";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "open edges"), 1)
     << "warnings that name the edges";
