@@ -230,11 +230,12 @@ std::vector<VDBGrid> Choose(
     const VDBGrid& grid = FindGrid(file, fileName, name);
     if (!grid.IsKnown)
     {
-      throw std::invalid_argument("The grid \"" + name + "\" of the file " + fileName +
-        " cannot be read: " +
-        (grid.Transform ? "its type " + grid.Type + " is not supported"
-                        : "its transform is not linear") +
-        "; choose another GridName.");
+      std::ostringstream text;
+      text << "The grid \"" << name << "\" of the file " << fileName << " cannot be read: "
+           << (grid.Transform ? "its type " + grid.Type + " is not supported"
+                              : "its transform is not linear")
+           << "; choose another GridName.";
+      throw std::invalid_argument(text.str());
     }
     grids.push_back(grid);
     const bool isPoints = std::string(grid.GetValueType()) == "points";
