@@ -1,6 +1,7 @@
 #define VTK_DEPRECATION_LEVEL 0 // MemoryBuffer, which VTK 9.6 deprecates
 #include "vtkActiveEXRReader.h"
 
+#include "Base/ErrorText.h"
 #include "Common/FileError.h"
 #include "Common/FileSeries.h"
 #include "EXR/EXRImage.h"
@@ -259,7 +260,7 @@ int vtkActiveEXRReader::RequestInformation(
   }
   catch (const std::exception& error)
   {
-    return this->Fail(activesurface::GetErrorCode(error), error.what(), outputs);
+    return this->Fail(activesurface::GetErrorCode(error), activesurface::TextOf(error), outputs);
   }
 }
 
@@ -314,7 +315,7 @@ int vtkActiveEXRReader::RequestData(
   }
   catch (const std::exception& error)
   {
-    return this->Fail(activesurface::GetErrorCode(error), error.what(), outputs);
+    return this->Fail(activesurface::GetErrorCode(error), activesurface::TextOf(error), outputs);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "vtkActiveEXRWriter.h"
 
+#include "Base/ErrorText.h"
 #include "Common/FileError.h"
 #include "Common/FileSeries.h"
 #include "EXR/EXRWriting.h"
@@ -208,8 +209,8 @@ void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
   }
   catch (const std::exception& error)
   {
-    this->Fail(
-      activesurface::GetErrorCode(error), "Cannot write \"" + name + "\": " + error.what());
+    this->Fail(activesurface::GetErrorCode(error),
+      "Cannot write \"" + name + "\": " + activesurface::TextOf(error));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "vtkActiveVDBReader.h"
 
+#include "Base/ErrorText.h"
 #include "Common/FileSeries.h"
 #include "Grids/GridFacts.h"
 #include "Grids/ImageReading.h"
@@ -211,7 +212,7 @@ int vtkActiveVDBReader::RequestInformation(
   }
   catch (const std::exception& error)
   {
-    return this->Fail(output, error.what());
+    return this->Fail(output, activesurface::TextOf(error).c_str());
   }
   this->Internal->Times.Publish(out);
   return 1;

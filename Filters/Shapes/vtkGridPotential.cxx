@@ -1,5 +1,6 @@
 #include "vtkGridPotential.h"
 
+#include "Base/ErrorText.h"
 #include "Base/LatticeShape.h"
 #include "Grid/GridSamples.h"
 #include "Grid/ImageSamples.h"
@@ -217,10 +218,10 @@ void vtkGridPotential::ReadSamples()
   }
   catch (const std::exception& error)
   {
-    own.Error = error.what();
+    own.Error = activesurface::TextOf(error);
     if (this->ReportErrors)
     {
-      vtkErrorMacro(<< error.what() << " The function is " << Outside << " (outside) everywhere.");
+      vtkErrorMacro(<< own.Error << " The function is " << Outside << " (outside) everywhere.");
     }
   }
   if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)

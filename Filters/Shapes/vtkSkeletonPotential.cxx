@@ -1,5 +1,6 @@
 #include "vtkSkeletonPotential.h"
 
+#include "Base/ErrorText.h"
 #include "Frames/ParticleData.h"
 #include "Index/Skeleton.h"
 #include "Input/BatchEvaluation.h"
@@ -164,7 +165,8 @@ void vtkSkeletonPotential::ReadElements()
     own.Skeleton.Build();
     own.Body.Build({}, {});
     own.Level = 0.5;
-    vtkErrorMacro(<< error.what() << " The function is 1/2 everywhere: all space is outside.");
+    vtkErrorMacro(<< activesurface::TextOf(error)
+                  << " The function is 1/2 everywhere: all space is outside.");
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
   {

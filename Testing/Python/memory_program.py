@@ -1,6 +1,6 @@
 """Runs the splash with a limit of address space, a number of MiB above the use before the task.
-Tasks: "update" to step 3, "save" and "load" the state of step 3. Prints the errors of the task, of
-the same task without the limit, and the hash of the skin.
+Tasks: "update" to step 3, "save" and "load" the state of step 3, "mesh" (vtkGridPotential).
+Prints the errors of the task, of the same task without the limit, and the hash of the skin.
 
 Run: python3 memory_program.py TASK MiB FILE (test_limits.py does)
 """
@@ -8,9 +8,11 @@ Run: python3 memory_program.py TASK MiB FILE (test_limits.py does)
 import resource
 import sys
 
+from active_implicit_surfaces import vtkGridPotential
 from contents import Contents
 from listener import Listener, sentence_of
 from scenes import splash
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 PAGE = resource.getpagesize()
 
@@ -34,6 +36,14 @@ def fill_memory(room):
     return blocks
 
 
+def ball_mesh():
+    ball = vtkSphereSource()
+    ball.SetThetaResolution(200)
+    ball.SetPhiResolution(200)
+    ball.Update()
+    return ball.GetOutput()
+
+
 def main():
     _, surface = splash()
     surface.SetVoxelSize(0.018)
@@ -41,7 +51,15 @@ def main():
     # Starts the threads now: glibc ends a program that has no memory for a thread's own variables.
     surface.UpdateTimeStep(0)
     task, more, file = sys.argv[1:]
+    potential = vtkGridPotential()
+    potential.SetInput(ball_mesh())
+
+    def evaluate():
+        potential.Modified()
+        potential.EvaluateFunction(0, 0, 0)
+
     tasks = {
+        "mesh": evaluate,
         "update": lambda: surface.UpdateTimeStep(3),
         "save": lambda: surface.SaveState(file),
         "load": lambda: surface.LoadState(file),
@@ -49,7 +67,7 @@ def main():
     if task != "update":
         surface.UpdateTimeStep(3)
         surface.SaveState(file)
-    listener = Listener(surface)
+    listener = Listener(potential if task == "mesh" else surface)
     room = int(float(more) * 2**20)
     limit_memory(room)
     blocks = fill_memory(room) if task != "update" else None

@@ -304,6 +304,12 @@ class Memory(unittest.TestCase):
         for sentence in told:
             self.assertRegex(sentence, "not enough memory|pthread_create has failed")
 
+    def test_mesh(self):
+        told = self.refused("mesh", (0.1, 0.3))
+        self.assertEqual(len(told), 2)
+        for sentence in told:
+            self.assertRegex(sentence, "There is not enough memory")
+
     def test_state(self):
         for task in ("save", "load"):
             # With more memory, Blosc crashes: it does not check its own allocations.
