@@ -180,7 +180,7 @@ class Ranks(unittest.TestCase):
             with self.subTest(ranks=size):
                 folder = self.folder()
                 start(size, "failing_step", folder)
-                words = (f"On rank 1 of {size}: ", "update of the input failed")
+                words = (f"On rank 1 of {size}: The update of ", " input failed")
                 self.assert_failed(folder, "failed_4", size, *words)
                 self.assert_failed(folder, "failed_3", size, *words)
                 self.assert_same(folder, size, "before_2", expected)
@@ -202,7 +202,7 @@ class Ranks(unittest.TestCase):
     def test_a_file_that_one_rank_does_not_find(self):
         folder = self.folder()
         start(2, "missing_file", folder)
-        self.assert_failed(folder, "no_file", 2, "On rank 0 of 2: ", "update of the input failed")
+        self.assert_failed(folder, "no_file", 2, "On rank 0 of 2: ", "update of an input failed")
         self.assert_no_errors(folder, "a_file", 2)
         self.assertGreater(len(sorted_triangles(load(folder, "a_file", 2))), 100)
 
