@@ -6,7 +6,7 @@
 Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3; the box has
 its corner at the origin, the size scene.size, and is open above. The scenes:
 
-    pool      at rest, ten layers deep; scene.drops are the ids of the particles of twelve drops
+    pool      still, ten layers deep; scene.drops are the ids of the particles of twelve drops
               above it, single particles and pairs, of which half stand still and half fall
     jitter    the pool without drops, each particle displaced by up to r / 10 along each axis, new
               in each frame
