@@ -49,9 +49,9 @@ public:
   // Writes TargetMoves, OnlyForward, Steps and InputSteps.
   void WriteTo(SurfaceInputs& inputs) const;
 
-  // TIME_STEPS to publish. For a target that offers each time only once, these are the target's own
-  // steps, if any. For pushed frames there are no steps, because only the newest frame is
-  // available.
+  // TIME_STEPS to publish; with EQUILIBRIUM the first step, which is not published. For a target
+  // that offers each time only once, these are the target's own steps, if any. For pushed frames
+  // there are no steps, because only the newest frame is available.
   const std::vector<double>& GetPublishedSteps() const { return this->Published; }
 
 private:

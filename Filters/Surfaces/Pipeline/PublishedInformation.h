@@ -25,8 +25,8 @@ int RequestedPort(vtkInformation* request);
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone);
 void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 
-// Publishes the extent, origin and spacing of the potential's image; without a domain, an empty
-// extent.
+// Publishes the extent, origin and spacing of the potential's image. The extent is empty without a
+// domain, and if SurfaceDomain::GetExtent fails.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
 // Replaces an UPDATE_EXTENT that is empty or not within the image by the extent of the requested

@@ -36,7 +36,7 @@ public:
   // Makes the data the newest frame, dt [pipeline time] after the previous frame, and connects port
   // 0 to the frames. The first frame is at StartTime. resumed: times of a loaded state, of which
   // the last becomes the time of the data; otherwise empty. Shares the data's arrays. Throws
-  // std::invalid_argument for invalid data or dt, and then changes nothing.
+  // std::invalid_argument for invalid data or dt, and with EQUILIBRIUM; then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
     const std::vector<double>& resumed = {});
   // Removes the newest frame; the previous frame becomes the newest again.

@@ -1,4 +1,4 @@
-// Checks that all ranks of a parallel program request the same skin at the same time.
+// Checks that all ranks of a parallel program request the same skin, and reports lack of memory.
 
 #ifndef RankedRequest_h
 #define RankedRequest_h

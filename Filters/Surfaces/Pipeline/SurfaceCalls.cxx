@@ -34,7 +34,7 @@ vtkGridPotential* SurfaceRequests::GetSkinFunction()
 void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
 {
   this->Update.Refuse("Advance");
-  if (!this->Simulation.HasBegun()) // if the first frame was rejected
+  if (!this->Simulation.HasBegun()) // before a first frame is accepted, or after a reset
   {
     this->Pushed.Stop();
   }

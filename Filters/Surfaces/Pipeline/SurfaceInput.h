@@ -74,7 +74,7 @@ public:
   std::shared_ptr<InputShape> Read(vtkInformation* information,
     const ParticleArrays& kept = ParticleArrays(), bool areShared = false) const;
 
-  // Throws like Read, but only for the data of this rank.
+  // Throws like Read, but only for the data of this rank. Ignores data that Accepts rejects.
   void Check(vtkDataObject* data) const;
 
   // Requests all data (on several ranks: this rank's piece) at the first time step or, without

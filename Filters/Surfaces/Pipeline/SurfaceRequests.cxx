@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, this source is requested at the target's time. Whenever the
-  // initial shape is needed, the target's time is its first time step.
+  // If both ports have the same source, this source is requested at the target's time. When the
+  // initial shape is needed, that time is the first time step, unless the last update failed.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -303,7 +303,8 @@ void SurfaceRequests::AgreeOnRequest(
   }
 }
 
-// VTK executes a source without CAN_HANDLE_PIECE_REQUEST on rank 0 only.
+// VTK executes a source without CAN_HANDLE_PIECE_REQUEST on rank 0 only, but on all ranks if the
+// source makes composite data.
 void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
 {
   if (target && this->Ranks.GetRank() == 0 &&

@@ -97,7 +97,8 @@ public:
   // Returns true if the last update reached the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
   // If the last update rejected the newest frame, removes this frame and returns true; the previous
-  // frame is then the newest again. Call this if IsAtNewestFrame returns false.
+  // frame is then the newest again. Returns false for a rejected first frame, which the next Push
+  // replaces. Call this if IsAtNewestFrame returns false.
   bool WithdrawFrame();
   // Makes the next update, or the next frame, start a new motion. Throws std::logic_error within an
   // update.
@@ -148,7 +149,7 @@ private:
 
   UpdateInProgress Update;
 
-  // MTimes of the last composite inputs.
+  // Pipeline MTimes of the last inputs with levels (AMR), see CheckInputs.
   std::uint64_t CompositeTarget = 0;
   std::uint64_t CompositeInitial = 0;
 };

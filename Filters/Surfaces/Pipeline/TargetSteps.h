@@ -24,8 +24,9 @@ public:
   {
   }
 
-  // Requests the next missing step; if none is missing, or if the last update failed, another step.
-  // Call this when the inputs are requested.
+  // Requests the next missing step. Requests another step if none is missing, or if the last update
+  // failed (of a forward-only input: if the missing step is not the newest). Call this when the
+  // inputs are requested.
   void Request(vtkInformation* target);
 
   // Adds the requested step to the simulation if that step is still missing. target: null if there

@@ -4,7 +4,7 @@
 // separately, and again for each view. Each executive adds an error to a failed request. Within
 // ParaView, therefore:
 // - The same warning is shown once, and a note does not open the window.
-// - The same error is shown once after each change of the filter.
+// - An error equal to the last one is shown only after a change of the filter or a success.
 // - A failed request returns success, with empty outputs.
 
 #ifndef UserMessages_h
