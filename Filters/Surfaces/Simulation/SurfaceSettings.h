@@ -27,7 +27,7 @@ namespace activesurface
 enum class EvolutionMode
 {
   Transient,  // moves along the time steps
-  Equilibrium // moves to the steady state on the first step
+  Equilibrium // moves to a steady state on the first step's target
 };
 
 // NodesIfPossible: the node scheme over particles and labels, unless a setting needs substeps.
@@ -122,8 +122,9 @@ struct SurfaceSettings
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
 
-  // Returns true if `others` only append time steps to the input's list. Returns false with
-  // EQUILIBRIUM or a TargetFunction, and if the list is empty here.
+  // Returns true if `others` append time steps to the input's list, and otherwise differ at most by
+  // TargetMTime and TargetMoves. Returns false with EQUILIBRIUM or a TargetFunction, and if the
+  // list is empty here.
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }

@@ -162,7 +162,7 @@ int SurfaceSimulation::FindMissingStep() const
 }
 
 // Returns the step of a frame that the arrays need and that is not stored, as after a return to a
-// checkpoint; -1: none.
+// checkpoint, or was read without these arrays; -1: none.
 int SurfaceSimulation::FindMissingStepOfArrays() const
 {
   if (!this->Arrays.Speeds && !this->Arrays.NeedParticles())

@@ -222,9 +222,9 @@ public:
       : ValuesInUse();
   }
 
-  // Returns the state at the last step up to the requested time. The band of the result is null if
-  // there is no such state: before the start, after an interruption, and with EvolutionMode
-  // EQUILIBRIUM.
+  // Returns the state at the last step up to the surface's time. The band of the result is null if
+  // there is no such state: before the start, after an interruption of the motion to the next step,
+  // and with EvolutionMode EQUILIBRIUM.
   SavedState GetState() const;
   // Returns the state at the requested time, which may lie between steps.
   SavedState GetRequestedState() const;

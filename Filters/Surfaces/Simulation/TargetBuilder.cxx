@@ -17,8 +17,8 @@ namespace activesurface
 namespace
 {
 
-// A mesh as initial shape is sampled within this distance from its surface [voxels]: the width of
-// the band and its ghosts.
+// A mesh as initial shape is sampled within this distance from its surface [voxels]. The band and
+// its ghosts are within 6 voxels of the surface.
 constexpr double InitialReach = 8.0;
 
 // Largest number of voxels of a mesh's distance grid / largest number of active voxels of the skin.

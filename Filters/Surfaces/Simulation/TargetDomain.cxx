@@ -115,7 +115,7 @@ double TargetBuilder::GetPixel() const
 }
 
 // Returns the spacing that determines voxel size and reach; 0 if the spacing is unknown, or
-// estimated for a sum of kernels.
+// estimated with ParticleModel SUM.
 double TargetBuilder::GetSpacing() const
 {
   const ParticleSettings& particles = this->Settings.Particles;

@@ -152,7 +152,7 @@ std::size_t Checkpoints::GetSize() const
 }
 
 // While the capacity is exceeded, removes the state that leaves the smallest gap. Removes the first
-// state last, because without the first state a request for an earlier time restarts the motion.
+// state last, because without it a request for a time before the second state restarts the motion.
 void Checkpoints::MakeRoom()
 {
   while (!this->States.empty() && this->GetSize() > this->Memory)

@@ -103,7 +103,7 @@ public:
   NarrowBand& GetBranchTo(PipelineTime time);
   void FinishBranch() { this->BranchIsUnfinished = false; }
 
-  // Describes the step and the exact time.
+  // Describes the step, the exact time, the number of active nodes and the presence of a branch.
   std::string Describe() const;
 
   const NarrowBand& GetBand() const { return *this->Band; }
