@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-// Facts of one rank's piece of an input.
+// Facts of one rank's piece of an input. HasCells and Points are set for particles only.
 struct PieceFacts
 {
   PieceKind Kind = PieceKind::Nothing;
