@@ -189,7 +189,8 @@ vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
   image->CopyStructure(input.Data);
   if (values)
   {
-    // Shares the array. VTK does not overwrite an image's array while another object refers to it.
+    // Shares the array. VTK's algorithms do not overwrite an image's array while another object
+    // refers to it. A caller of Advance who overwrites the array changes the stored frame, too.
     image->GetPointData()->SetScalars(AsSamples(values, input.Data));
   }
   else

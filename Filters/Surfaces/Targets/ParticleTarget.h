@@ -55,9 +55,10 @@ public:
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
   std::size_t CountRegionSources() const override { return this->Now.size(); }
-  // Visits the support of each particle of positive strength, because any part that the skin does
-  // not meet contains a support. Also visits two points outside each such particle at the edge of a
-  // body, where a hollow may be; for a sum of kernels, only with OpensHollows.
+  // Visits the support of each particle of positive strength, because the supports cover all parts,
+  // and a part usually contains the centre of a support. Also visits two points outside each such
+  // particle at the edge of a body, where a hollow may be; for a sum of kernels, only with
+  // OpensHollows.
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 
 protected:

@@ -19,9 +19,9 @@ class TargetFrames
 public:
   void Clear();
 
-  // Adds a step. Replaces the shape of a step that is stored already; otherwise drops the earlier
-  // stored step. box: periodic box of the particles. Particles of distributed shapes are not
-  // matched.
+  // Adds a step. Replaces the shape of a step that is stored already; otherwise keeps only
+  // FindLastStep() of the stored steps. box: periodic box of the particles. Particles of
+  // distributed shapes are not matched.
   void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
 
   // Replaces the stored steps by a step and the next one, with their matches.
