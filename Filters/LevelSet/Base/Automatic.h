@@ -1,4 +1,4 @@
-/** Value of a property that the class chooses itself. */
+/** In place of a property's value: the program chooses the value. */
 #ifndef Automatic_h
 #define Automatic_h
 

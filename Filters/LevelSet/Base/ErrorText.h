@@ -11,7 +11,8 @@
 namespace activesurface
 {
 
-/** Returns what() of an error; for lack of memory, whose what() is a name of C++, a sentence. */
+/** Returns what() of an error. For std::bad_alloc, whose what() is only the name of the class,
+ * returns a sentence. */
 inline std::string TextOf(const std::exception& error)
 {
   return dynamic_cast<const std::bad_alloc*>(&error)

@@ -135,7 +135,7 @@ struct Motion
 
   /**
    * Obstacle that the surface may not enter, owned by the caller; null: none. The obstacle is
-   * sampled in each leaf that the surface reaches.
+   * sampled in the leaves of the band; by the node scheme, in the leaves near the target's surface.
    */
   Obstacle* Solid = nullptr;
 

@@ -42,7 +42,7 @@ struct LeafMotion
   static constexpr int Points = 27;
   float Displacement[3][Points]; //< since NodeMotion::Begin, times Transport [voxels]
   float Bulk[Points];            //< in [0,1]: 1 in a body or if unknown, less around lone particles
-  bool IsStill = true;           //< the target has neither moved nor changed noticeably
+  bool IsStill = true;           //< true only if no Displacement is noticeable
 };
 
 class Domain;

@@ -29,7 +29,7 @@
 
 // The functions of a grid need ten seconds to compile. OpenVDB's library has the virtual functions,
 // compiled for the types that it registers. Other functions are inlined or are in OpenVDB.cxx. For
-// a compiler that inlines too few functions, ACTIVE_COMPILE_GRIDS compiles all functions.
+// a compiler that inlines too few functions, the CMake option ACTIVE_COMPILE_GRIDS compiles all.
 #define OpenVDB_Declare(Name)                                                                      \
   extern template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                          \
   extern template class openvdb::Grid<openvdb::Name>;

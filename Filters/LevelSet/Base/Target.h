@@ -80,8 +80,8 @@ public:
 
   /**
    * Visits the parts and hollows of the shapes between which the target moves. A part that the skin
-   * does not meet is created once the target is wide enough there (NewParts.h). The order must
-   * depend only on the time.
+   * does not meet is created once the target is wide enough in that part (NewParts.h). The order
+   * must depend only on the time.
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 

@@ -16,8 +16,8 @@ namespace activesurface
 namespace
 {
 
-/** A leaf in which the target has not moved stays bitwise identical if u changes by at most
- * RestingChange * Attraction dt [voxels] in layers 0 and 1. */
+/** A leaf without noticeable displacement (LeafMotion::IsStill) stays bitwise identical if u
+ * changes by at most RestingChange * Attraction dt [voxels] in layers 0 and 1. */
 constexpr float RestingChange = 3e-4f;
 
 /** Attraction * duration for which tension acts on a skin with NodeFreedom. */

@@ -75,7 +75,7 @@ private:
   NodeFreedom Freedom; //< of the current frame
   std::vector<LeafBulk> Bulk;
   std::vector<LeafMotion> Motions; //< of each leaf, if other ranks own some old leaves
-  std::vector<char> IsStill;       //< leaves in which the target has not moved
+  std::vector<char> IsStill;       //< LeafMotion::IsStill of each leaf
   std::vector<char> IsFar;         //< leaves far from the target and from the skin
 };
 
