@@ -1,6 +1,6 @@
 /**
  * Partition of a band among ranks. Each rank has its own leaves and a halo. The halo consists of
- * the other ranks' leaves next to the own leaves.
+ * the other ranks' leaves next to the box of space that the rank owns (Domain).
  */
 #ifndef BandPart_h
 #define BandPart_h
@@ -34,10 +34,10 @@ struct BandPart
   std::shared_ptr<const Domain> Space;
   std::size_t Crossings = 0; //< crossed edges of all ranks
   std::size_t ActiveNodes = 0;
-  SkinMeasure Measure; //< [voxels]
+  SkinMeasure Measure; //< [voxels^2, voxels^3]
   /** Number of the first vertex of each own leaf that has vertices, in the table's order. */
   std::vector<std::int64_t> FirstVertices;
-  std::vector<LeafVertices> Foreign; //< leaves of other ranks next to own leaves, by origin
+  std::vector<LeafVertices> Foreign; //< halo leaves that have vertices, by origin
 
   const Agreement& GetRanks() const { return this->Space->GetRanks(); }
 };
@@ -46,9 +46,9 @@ struct BandPart
 std::shared_ptr<const BandPart> CountTogether(
   const LeafTable& table, const std::shared_ptr<const Domain>& space);
 
-/** Returns, for each vertex of a table, its number in the whole skin. The number is -1 in leaves
- * not next to this rank's own leaves, and on edges that are not crossed in the owner's copy of the
- * leaf. part: null if the table is whole. */
+/** Returns, for each vertex of a table, its number in the whole skin. The number is -1 in leaves of
+ * other ranks that are not in the halo, and on edges that are not crossed in the owner's copy of
+ * the leaf. part: null if the table is whole. */
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
 
 }

@@ -1,5 +1,5 @@
 /**
- * Halo of a rank: leaves of other ranks around its own leaves, with values that the owners send.
+ * Halo of a rank: leaves of other ranks around its partition, with values that the owners send.
  */
 #ifndef NodeHalo_h
 #define NodeHalo_h
