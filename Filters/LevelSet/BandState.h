@@ -54,8 +54,8 @@ struct BandState
   /** Replaces the potential. Derives the layers and the active nodes from the signs; in the paper's
    * scheme, active nodes also depend on the tree's active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** Replaces the potential and the layers. If HasGhosts and not Paper, extrapolates the ghosts
-   * from the active nodes. */
+  /** Replaces the potential and the layers. Extrapolates the ghosts from the active nodes, except
+   * in the paper's scheme; without HasGhosts, clamps the layers to +-NodeLimit instead. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   /** Sets the totals of a partitioned band; null: the band is whole. Also sets the domain with
    * which LeafTable::Rebuild finds the owners of leaves. */
@@ -126,7 +126,7 @@ private:
   void Restore();
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
-  /** Makes an explicit substep. An error takes back the parts that the substep has created. */
+  /** Makes an explicit substep. If it throws, removes the parts that the substep has created. */
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void TryStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void AdvanceOnNodes(double end, const Motion& motion, Target& target, AdvanceReport& report);

@@ -1,5 +1,5 @@
 /**
- * A copy of a band before new parts are created, to restore the band if the target then throws.
+ * A copy of a band before new parts are created, to restore the band if the substep then throws.
  */
 #ifndef BandBackup_h
 #define BandBackup_h

@@ -105,7 +105,7 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     }
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
-    this->Summaries.resize(i + 1); // first, because resize may run out of memory
+    this->Summaries.resize(i + 1); // first: if memory runs out, no leaf lacks a summary
     this->Summaries[i].IsForeign = this->IsForeign(origin);
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
     this->AddToIndex(i);
