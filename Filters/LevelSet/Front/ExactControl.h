@@ -20,7 +20,7 @@ struct SubstepBuffers;
 struct ControlledBand
 {
   LeafTable& Leaves;
-  ActiveSet& Set; //< with capacity for all leaves: each displacement moves all leaves
+  ActiveSet& Set; //< overwritten: each displacement moves all leaves
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< rebuilds layers and ghosts from the potential
   const Walls& Box;

@@ -15,7 +15,7 @@ namespace activesurface
 namespace
 {
 
-/** Adds all terms to a row. targetSpeeds: null without a target. */
+/** Adds all terms to a row. targetSpeeds: null without attraction. */
 ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, unsigned relaxed,
   const StepCoefficients& coefficients, float* next)
 {

@@ -8,7 +8,7 @@
  *
  * V: speed without tension [length/time], h: voxel size, q: see RelaxationFor; |grad u| and kappa
  * per voxel. kappa |grad u| is computed as one product, which is bounded without a clamp of kappa.
- * The last voxel of a part vanishes in time, and necks pinch off.
+ * The last voxel of a part eventually vanishes, and necks pinch off.
  */
 #ifndef StepForward_h
 #define StepForward_h

@@ -37,8 +37,8 @@ struct SubstepBuffers
   static constexpr std::int64_t NoSamples = -1; //< of an unsampled leaf
   std::vector<std::int64_t> FirstSample;        //< index of a leaf's first point
 
-  // Per leaf, 512 nodes each: the extended target speed, valid at Known nodes. The potential after
-  // the substep overwrites the speed row by row.
+  // Per leaf, 512 nodes each: the target speed at nodes with samples and at other Known nodes, 0
+  // elsewhere. The potential after the substep overwrites the speed row by row.
   NodeArrays Nodes;
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
