@@ -14,7 +14,7 @@ struct StagePlan
 {
   int Count;
   float Fine;             //< at least b / 6, as differences over 4 nodes miss waves of 2 nodes
-  const float* Durations; //< of a cycle of CycleLength stages, relative to Sum, of all stages
+  const float* Durations; //< of the CycleLength stages of a cycle; Sum is over all stages
   int CycleLength;
   float Sum;
 
@@ -36,7 +36,8 @@ StagePlan PlanCycles(float tension);
  * show the limits of the freedom. tension: b, 0 to MostStageTension. */
 StagePlan PlanEqualStages(float tension);
 
-/** Limit of b. Without attraction, spheres with radii below 1000 voxels then vanish in a frame. */
+/** Limit of b. By r^2 = r0^2 - 4 b, curvature flow would remove a sphere of radius 2000 voxels in a
+ * frame. */
 constexpr float MostStageTension = 1e6f;
 
 /** A single stage of the duration 1 would multiply a wave by 1 - g. Returns a bound of g / b, over
