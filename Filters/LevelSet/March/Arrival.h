@@ -29,7 +29,7 @@ struct SkinForces;
  * or meets only in a region too thin to grow from. Call before the first Advance. Returns the
  * number of created parts and hollows; 0 if too many nodes differ (DifferingNodes.h). Parts that
  * the target does not report are searched for on a lattice of at most 64 cells along an axis.
- * bounds: box of this lattice (xmin xmax ymin ymax zmin zmax).
+ * bounds: box of all searches (xmin xmax ymin ymax zmin zmax).
  */
 ACTIVELEVELSET_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);

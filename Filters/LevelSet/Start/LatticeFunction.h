@@ -43,7 +43,7 @@ public:
   /** Evaluates the function at single nodes. */
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const;
 
-  /** Calls function(i) for i = begin..end - 1, in parallel if the function is thread-safe. */
+  /** Calls function(i) for i = begin..end - 1, in parallel if InitialFunction::ThreadSafe. */
   template <class Function>
   void ForEach(std::size_t begin, std::size_t end, Function&& function) const
   {

@@ -33,7 +33,7 @@ struct Component
 {
   std::int32_t Block;
   bool IsInside;
-  LeafMask Nodes; // all nodes of a tile
+  LeafMask Nodes; // in a tile: all
 };
 
 /** Components of all blocks, joined across the faces of the blocks. */
