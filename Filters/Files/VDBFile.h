@@ -61,8 +61,8 @@ ACTIVEFILES_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = tru
 
 /**
  * Reads a grid of a file that was validated with its trees. If a box [world] is given and the grid
- * can be clipped, reads only the leaves that meet the box. Throws std::runtime_error if the grid
- * cannot be read.
+ * can be clipped, reads only the leaves that meet the box, and sets voxels outside the box to the
+ * background. Throws std::runtime_error if the grid cannot be read.
  */
 ACTIVEFILES_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);

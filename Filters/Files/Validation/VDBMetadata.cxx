@@ -59,7 +59,7 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     }
     return;
   }
-  // For a registered type of fixed size, OpenVDB reads this size, and ignores the size in the file.
+  // For a registered type of fixed size, OpenVDB reads the size of the type, not that in the file.
   const bool isOfAnySize = type == openvdb::StringMetadata::staticTypeName() ||
     type == LeafSizesType || !openvdb::Metadata::isRegisteredType(type);
   if (!isOfAnySize && openvdb::Metadata::createMetadata(type)->size() != size)
