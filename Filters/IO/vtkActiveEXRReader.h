@@ -54,7 +54,7 @@
 #include "vtkActiveIOModule.h" // for the export macro
 #include "vtkImageReader2.h"
 
-#include <memory> // for Internals
+#include <memory> // for Series
 
 class VTKACTIVEIO_EXPORT vtkActiveEXRReader : public vtkImageReader2
 {

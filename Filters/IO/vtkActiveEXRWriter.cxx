@@ -22,7 +22,7 @@ struct vtkActiveEXRWriter::Settings
   activesurface::EXRHeaderSettings Header; // without the writer's own properties
   std::vector<double> Times;               // of the input
   int Step = 0;                            // index of the step that is being written
-  bool Asked = false;                      // the input has been requested
+  bool Asked = false;                      // true after RequestData, so the input was updated
 };
 
 vtkStandardNewMacro(vtkActiveEXRWriter);

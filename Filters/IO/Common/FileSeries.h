@@ -18,7 +18,7 @@ namespace activesurface
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
 // Times of the files of a series; NaN: unavailable. If a time is not finite, or the times do not
-// ascend, the file indices replace all times.
+// ascend strictly, the file indices replace all times.
 class FileTimes
 {
 public:
@@ -27,7 +27,7 @@ public:
 
   // Returns the index of the file for the requested time of an output; 0 without a request.
   int FindFile(vtkInformation* output) const;
-  // Sets the time steps of an output, if there are several files.
+  // Sets the time steps of an output if there are several files, else removes them.
   void Publish(vtkInformation* output) const;
   // Sets the time of a file's data, if there are several files.
   void Mark(int file, vtkDataObject* data) const;

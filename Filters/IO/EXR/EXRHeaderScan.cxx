@@ -104,7 +104,8 @@ int CountLinesOfChunk(Imf::Compression compression)
 }
 
 // Returns the largest accepted ratio of unpacked to packed bytes: 1 without compression, else that
-// of deflate. DWA, which deflates the means of blocks of 64 pixels, has 64 times this ratio.
+// of deflate. DWA, which deflates the means of blocks of 64 pixels, has 64 times this ratio; newer
+// compressions count as DWA.
 double FindLargestRatio(Imf::Compression compression)
 {
   constexpr double deflate = 1032.0;

@@ -19,7 +19,8 @@ class vtkImageData;
 namespace activesurface
 {
 
-using EXRExtent = std::array<int, 4>; // first and last column, first and last row
+// First and last column, first and last row. (0, 0) is the lower left pixel of the display window.
+using EXRExtent = std::array<int, 4>;
 
 struct EXRPart
 {

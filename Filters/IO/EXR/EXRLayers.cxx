@@ -93,7 +93,7 @@ void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>
   for (const std::vector<std::string>& names : ComponentSets)
   {
     const bool picture = names.front() == "R";
-    // Outside a layer, X, Y and Z become three arrays.
+    // Outside a layer, only R, G, B and A are joined: X, Y and Z become three arrays.
     if ((!layer.empty() || picture) && Has(waiting, names))
     {
       layers.push_back(MakeLayer(waiting, layer, names));

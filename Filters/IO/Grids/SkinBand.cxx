@@ -28,8 +28,7 @@ struct Nearest
   Vec3d Foot;
 };
 
-// Lookup of triangles by the voxel of their centroid. Triangles of skins are not larger than a
-// voxel.
+// Lookup of triangles by the voxel of their centroid. Each triangle of a skin lies in one voxel.
 class TrianglesOfVoxels
 {
 public:

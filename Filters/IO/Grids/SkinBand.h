@@ -1,9 +1,10 @@
 // Computes distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
 // The potential provides only the sign, because the potential is no exact distance. The search for
-// a node starts at the nearest triangles of the neighbour nodes in earlier layers. The search moves
-// to closer triangles around the closest point until no triangle is closer. Each layer of nodes
-// depends only on earlier layers, so the result does not depend on the number of threads.
+// a node starts at the nearest triangles of the neighbour nodes in earlier layers or, in the first
+// layer, at the triangles in the eight voxels around the node. The search moves to closer triangles
+// around the closest point until no triangle is closer. Each layer of nodes depends only on earlier
+// layers, so the result does not depend on the number of threads.
 //
 // OpenVDB's conversion of meshes, corrected by the walk of MeshDistance.h, would need twice the
 // time, and near medial axes would return distances up to half a voxel too long.

@@ -10,8 +10,8 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// Returns the level set "surface": distances [world units], with a node of the lattice at 0. Throws
-// std::invalid_argument for voxels too small for OpenVDB.
+// Returns the level set "surface": distances [world units], with node (0, 0, 0) at the world's
+// origin. Throws std::invalid_argument for voxels too small for OpenVDB.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 
 // Returns "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels

@@ -11,7 +11,7 @@ namespace activesurface
 {
 
 // Writes grids; `metadata` is added to the file and to each grid. compression: OpenVDB's flags. On
-// failure, throws FileError and keeps an existing file.
+// failure, keeps an existing file and throws std::bad_alloc for lack of memory, else FileError.
 void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
   const openvdb::MetaMap& metadata, std::uint32_t compression);
 
