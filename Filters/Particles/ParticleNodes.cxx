@@ -141,8 +141,8 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
 }
 
 // Returns the radius of a ball around a particle [length]. The nodes in this ball are in the shell,
-// except in full cells. The ball extends at least an own radius beyond the skin: gaps of two own
-// radii can be inside a body, and the shell includes these gaps.
+// except in full cells. If all particles have one own radius, the ball extends at least this radius
+// beyond the skin: gaps of two own radii can be inside a body, and the shell includes these gaps.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
   // A sum may have any iso-value, and balls of individual radii may overlap: the skin may be
@@ -216,8 +216,8 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
 }
 
 // Lists the particles whose supports may touch a cube of nodes. size: side of the cube [voxels].
-// reach: largest support radius [voxels]. before: number of column rows before each particle; null:
-// each particle has a row.
+// reach: bound on the distance, along each axis, from a particle to the ends of its support
+// [voxels]. before: number of column rows before each particle; null: each particle has a row.
 const ParticleRuns& ParticleNodes::ListNear(
   const NodeIndex& origin, double size, double reach, const std::uint32_t* before) const
 {

@@ -72,7 +72,8 @@ public:
   // partition.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
-  // Throws std::runtime_error if the kernels cover more than 10^10 voxels.
+  // Throws std::runtime_error if the boxes of leaves to search (VisitBoxes) have more than 2^33
+  // voxels in total.
   void FindShell(bool wantsInside, Shell& shell) const;
   bool IsInside(const NodeIndex& node) const;
 

@@ -67,7 +67,8 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Sets the particle ids. ids: an id for each point; if empty, the point index is the id.
+// Sets the particle ids. ids: an id for each point; if empty, the point index is the id. Empties
+// Points if no point is ignored.
 void SetIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)

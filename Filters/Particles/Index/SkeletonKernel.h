@@ -2,8 +2,8 @@
 // gradient of the potential, threshold - sum.
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
-// returns W(q) and W'(q)/q as functions of q^2 <= 1. The gradient is W'(q)/q * offset / radius^2,
-// so it needs no division by the distance.
+// returns W(q) and W'(q)/q as functions of q^2 <= 1. The gradient for a point is strength * W'(q)/q
+// * offset / radius^2 (offset: from the position to the point), which is finite at distance 0.
 
 #ifndef SkeletonKernel_h
 #define SkeletonKernel_h

@@ -41,9 +41,9 @@ constexpr float EnoughNeighbours = 4.2f;
 // Displacement of an ellipsoid's centre / (Shape * distance to the mean of the neighbours).
 constexpr float ShareOfMean = .9f;
 
-// Thin (GroupFits) is the larger of two weights. The first falls from 1 to 0 while shortest /
-// middle half-axis grows from ThinRatio to ThickRatio; the ratio is 0 in a sheet of one layer,
-// about 1 in a body. The second falls while longest half-axis / neighbourhood's radius grows from
+// Thin (GroupFits) is the larger of two weights. One falls from 1 to 0 while shortest half-axis /
+// max(middle, ThinRatio * longest) grows from ThinRatio to ThickRatio; the ratio is 0 in a sheet of
+// one layer, about 1 in a body. The other falls while longest / neighbourhood's radius grows from
 // TinySize to SmallSize; the ratio is 0 for coincident particles, 0.14 for a pair, 0.33 in a body.
 constexpr float ThinRatio = .25f, ThickRatio = .6f;
 constexpr float TinySize = .05f, SmallSize = .12f;

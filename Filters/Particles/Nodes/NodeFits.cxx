@@ -139,8 +139,8 @@ void NodeFits::FillGroup(Search& search) const
 }
 
 // Finds the particles whose balls touch the group's box. columns.Reach2: squared radii of the
-// balls. reach: the largest of these radii [voxels]. rowOf: the row of a particle, or the next row
-// if the particle has none.
+// balls. reach: bound on the distance, along each axis, from a particle to the ends of its ball
+// [voxels]. rowOf: the row of a particle, or the next row if the particle has none.
 template <class RowOf>
 void NodeFits::Gather(
   Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const

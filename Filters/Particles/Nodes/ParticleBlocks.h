@@ -281,7 +281,7 @@ private:
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;
-  std::vector<std::uint32_t> Around; // per block, one bit for each existing block of the 27 around
+  std::vector<std::uint32_t> Around; // per block, a bit for each of the 27 around: known to exist
   UnsetVector<CubePlace> Places;     // of one batch of particles
   UnsetVector<std::uint32_t> OwnBlocks;
   UnsetVector<std::uint8_t> PartOf;
