@@ -162,9 +162,10 @@ public:
 
   /**
    * Box of the image, of the mesh or its shell, or of the active voxels of a level set [length].
-   * Outside the box F is not negative. For a level set, this holds from a voxel outside the box,
-   * unless the background is inside. Returns false, with uninitialized bounds, without usable
-   * input. Reads the input.
+   * Outside the box F is not negative, except within a voxel of a level set's box, everywhere if a
+   * level set's background is inside, and where caps across the holes of several open bodies extend
+   * beyond the box of a mesh. Returns false, with uninitialized bounds, without usable input. Reads
+   * the input.
    */
   bool GetGridBounds(double bounds[6]);
 

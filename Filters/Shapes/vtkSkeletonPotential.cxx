@@ -35,7 +35,7 @@ struct vtkSkeletonPotential::Internals
   activesurface::Skeleton Skeleton;
   activesurface::ParticlePotential Body; // in place of Skeleton, unless ParticleModel is SUM
   vtkIdType IgnoredElements = 0;
-  double Level = 0.5; // value of F far from all elements: Threshold, or 1/2 after an error
+  double Level = 0.5; // with SUM, F far from all elements: Threshold, or 1/2 after an error
 };
 
 vtkSkeletonPotential::vtkSkeletonPotential()

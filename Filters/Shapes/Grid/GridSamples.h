@@ -23,7 +23,8 @@ public:
 
   // Finds a box outside which the function is not negative. For a level set, finds the box of the
   // active voxels: outside, the function may be negative within a voxel of this box, or everywhere
-  // if the background is inside. Returns false, without setting `bounds`, if there is no such box.
+  // if the background is inside. Caps across the holes of several open bodies may extend beyond the
+  // box of a mesh. Returns false, without setting `bounds`, if there is no box.
   virtual bool GetBounds(double bounds[6]) const = 0;
 
   // Finds the region below a level, on the lattice of the samples. Returns false if the region is

@@ -28,7 +28,7 @@ struct SurfaceSample
   static constexpr std::size_t Most = 8192;
 
   std::vector<SurfacePoint> Points;
-  double Detail = std::numeric_limits<double>::infinity(); // smooth within this length
+  double Detail = std::numeric_limits<double>::infinity(); // shortest side of a pixel, if any
   bool IsMiddle = false;                                   // points are in the middle of a shell
 };
 
