@@ -16,7 +16,7 @@
  * reduces. kappa is the sum of the principal curvatures, n the outward normal, v the velocity of
  * the target's particles. A and V are the skin's area and volume; A0 and V0 are TargetArea and
  * TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
- * Without explicit substeps (TimeIntegration), masks are smoothed instead.
+ * Exception: over masks without explicit substeps (TimeIntegration), the skin is the smoothed mask.
  *
  * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
  * the automatic value of some properties; Get...InUse returns the value in use.
@@ -88,7 +88,7 @@
  *   value above 1 % can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
- *   but for x %" (which oscillate), or "not at rest".
+ *   but for x %" (x % of the skin oscillates), or "not at rest".
  *
  * @par Time
  * - The time steps of the input are published, or StartTime + i * TimeStepSize if the input has
@@ -560,8 +560,8 @@ public:
   ///@{
   /** Time at which the skin reaches a static target [pipeline time after the first time step], to
    * about 0.1 voxel: for morphs. Thin limbs grow along their length; with CreateParts, separate
-   * parts grow from a core. Needs NormalizeTarget. Ignored with EQUILIBRIUM. Range: >= 0; 0: no
-   * arrival. Default: 0. */
+   * parts grow from a core. An error with a moving input, with NormalizeTarget off, or with
+   * PaperScheme. No effect with EQUILIBRIUM. Range: >= 0; 0: no arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
