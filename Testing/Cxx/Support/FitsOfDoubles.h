@@ -13,7 +13,8 @@ namespace activesurface
 class FitsOfDoubles
 {
 public:
-  // own: a particle's own radius; reach: of its kernel; loss: what a ball is larger by.
+  // own: own radius of the particles; reach: support radius of their kernels; loss: added to the
+  // own radius for the ball of an isolated particle.
   FitsOfDoubles(const std::vector<Point>& particles, double own, double reach, double loss);
 
   // Sum of strength (1 - d^2)^3 over the ellipsoids, 1 at the surface.

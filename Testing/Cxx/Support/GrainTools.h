@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> MakeCloud(const std::vector<Grain>& grains);
 /** Adds an array with the same numbers for all points. */
 void AddFloats(vtkPolyData* points, const char* name, int components, double value);
 
-/** Kernel of particles: a function of the distance over the kernel radius, which is < 1. */
+/** Kernel of particles: a function of q = distance / kernel radius, for q < 1. */
 using KernelFormula = double (*)(double);
 inline double Wyvill(double q)
 {
@@ -51,7 +51,7 @@ struct Expected
 Expected FindExpected(
   const std::vector<Grain>& grains, const double x[3], KernelFormula kernel = Wyvill);
 
-/** Bytes of all point arrays of the skin, one after the other. */
+/** Names of all point arrays of the skin, each followed by its bytes unless it is a text array. */
 std::string GetArrayBytes(vtkActiveImplicitSurface* filter);
 
 }

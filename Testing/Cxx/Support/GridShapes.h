@@ -115,7 +115,7 @@ using Field = std::function<double(double i, double j, double k)>;
 
 inline double Linear(double i, double j, double k)
 {
-  return 2.0 * i + 3.0 * j + 5.0 * k - 40.0; // 1 to 56: fits every type
+  return 2.0 * i + 3.0 * j + 5.0 * k - 40.0; // 5 to 58: fits every type
 }
 
 inline vtkSmartPointer<vtkImageData> MakeImage(const Place& place, int type, const Field& field)

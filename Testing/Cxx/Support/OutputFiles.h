@@ -22,7 +22,7 @@ inline std::string OutputName(const std::string& name)
   return (folder / name).string();
 }
 
-/** Creates an empty folder there; its path ends in a slash. */
+/** Creates an empty folder in the folder of the current test; its path ends in a slash. */
 inline std::string EmptyFolder(const std::string& name)
 {
   const std::string folder = OutputName(name);

@@ -80,12 +80,11 @@ std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time);
 /** Bounding box of the skin; an empty skin has x min > x max. */
 std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter);
 
-/** A ball of radius 0.6 that shrinks towards one of radius 0.4, in 11 steps of 0.1. */
+/** A ball of radius 0.6 that shrinks towards one of radius 0.4, at the time steps 0, 0.1 ... 1. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall();
 
-/** Particles of radius 0.3, voxels of 0.05 in the box +-1 and an Attraction of 10; without an
- * input.
- */
+/** Without an input. SUM of kernels of radius 0.3, explicit substeps, voxels of 0.05 in the box
+ * +-1, and an Attraction of 10. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin();
 
 /** MakeSkin with an input whose particles have no ids. */

@@ -15,8 +15,8 @@ inline bool IsPriorAccessKnown()
   return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0);
 }
 
-/** Declares that no time of the source is available a second time, once it has executed for its
- * first time again. Returns false for versions of VTK without this feature. */
+/** Declares that the source provides each time only once. Its next execution starts a new sequence
+ * of times. Returns false for versions of VTK without this feature. */
 inline bool ForbidPriorAccess(vtkAlgorithm* source)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)

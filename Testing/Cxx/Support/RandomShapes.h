@@ -1,11 +1,11 @@
 /**
- * Centres and lengths drawn at random near given ones: points at which no constant of the scheme
+ * Centres and lengths drawn at random near given ones: scenes for which no constant of the scheme
  * was chosen.
  *
  * The same numbers in every run and on every platform: the bits are those of std::mt19937, which
  * the C++ standard fixes; its distributions, which differ between libraries, are not used.
  *
- * Each fact has a generator with a seed of its own, so that it draws the same whatever runs before.
+ * Each test has a generator with its own seed, so that its numbers do not depend on other tests.
  * Draw into variables or within braces, in the order of the text: the order in which a call's
  * arguments are evaluated is the compiler's.
  */

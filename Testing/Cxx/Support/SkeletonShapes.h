@@ -123,7 +123,7 @@ public:
 };
 
 // Adds elements of every size, points and tapered segments, some of them long and thin. `spread` is
-// the side of the cube that contains them.
+// the side of the cube that contains the points and the starts of the segments.
 inline void Fill(
   SkeletonBuilder& shape, Random& random, int points, int segments, double radius, double spread)
 {

@@ -162,7 +162,7 @@ Point GetNodeGradient(
   return gradient;
 }
 
-// Gradient at the linear crossing of an edge, interpolated between the edge's nodes.
+// Norm of the gradient at the linear crossing of an edge, interpolated between the edge's nodes.
 double GetCrossingSlope(const openvdb::FloatGrid::ConstAccessor& potential,
   const openvdb::Coord& lower, const openvdb::Coord& upper)
 {

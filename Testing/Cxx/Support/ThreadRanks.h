@@ -1,5 +1,5 @@
 /**
- * Ranks that are threads of one program: what ranks say to each other, tested without MPI.
+ * Ranks that are threads of one program: tests of the ranks' messages without MPI.
  */
 #ifndef ThreadRanks_h
 #define ThreadRanks_h
@@ -20,7 +20,7 @@
 namespace activesurface
 {
 
-/** Where they meet. A collective that is not complete after a minute is an error. */
+/** Exchange of the ranks' bytes. A collective that is not complete after a minute is an error. */
 class MeetingPoint
 {
 public:
@@ -120,7 +120,7 @@ private:
   const int Rank;
 };
 
-/** Runs a program on `size` ranks, as threads; rethrows the exception of the first that fails. */
+/** Runs a program on `size` ranks, as threads; rethrows the exception of the lowest failed rank. */
 inline void RunOnRanks(int size, const std::function<void(MeetingPoint& place, int rank)>& program)
 {
   MeetingPoint place(size);
