@@ -49,8 +49,9 @@ std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOS
 
 constexpr int NumberOfPoints = 1000;
 
-// Writes points along a line, in one leaf, which compress well, with numbers. Their first byte is
-// 1. At the position of the flag for compression this byte must not be read as the flag.
+// Writes points along a line, in one leaf, which compress well, with the attribute "number". The
+// first byte of the positions is 1. At the position of the flag for compression this byte must not
+// be read as the flag.
 std::string WritePoints(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   using namespace openvdb::points;
@@ -161,7 +162,7 @@ TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
   CheckRefused(bytes, "compressed values have a wrong size");
 }
 
-// Uncompressed points are in no page, unlike those of other files.
+// Uncompressed points are in no page, unlike compressed ones.
 TEST(TestVDBFile, PointsThatAreNotPackedAreRead)
 {
   const std::string name = WritePoints(openvdb::io::COMPRESS_NONE);

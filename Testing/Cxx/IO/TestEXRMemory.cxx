@@ -24,7 +24,7 @@ using namespace activesurface;
 namespace TestEXRMemory
 {
 
-// The data window's last column and row become 2^28.
+// The numbers of the data window's last column and row grow by 2^28.
 TEST(TestEXRMemory, AbsurdSizesAreRefusedBeforeTheyAreAllocated)
 {
   const std::string name = OutputName("absurd.exr");

@@ -97,8 +97,6 @@ TEST(TestEXRRoundTrip, FloatsAndIdsComeBackBitForBit)
   }
 }
 
-// A half has 11 bits. Numbers from 2^-14 on have a relative error of at most 2^-11, smaller ones an
-// absolute error of 2^-25, half of the least step.
 TEST(TestEXRRoundTrip, WholeNumbersOfSeveralComponentsComeBackBitForBit)
 {
   vtkNew<vtkImageData> image;
@@ -112,6 +110,8 @@ TEST(TestEXRRoundTrip, WholeNumbersOfSeveralComponentsComeBackBitForBit)
     << "type, components and bytes";
 }
 
+// A half has 11 bits. Numbers from 2^-14 on have a relative error of at most 2^-11, smaller ones an
+// absolute error of 2^-25, half of the least step.
 TEST(TestEXRRoundTrip, HalvesAreWithinHalfAStep)
 {
   vtkNew<vtkImageData> image;

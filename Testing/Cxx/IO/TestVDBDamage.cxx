@@ -224,7 +224,7 @@ TEST(TestVDBDamage, DamagedSeveralGridsAreRefusedOrRead)
   CheckMutations(Write({ half, ball, same }, Blosc), "several");
 }
 
-// The file is truncated after each of its first bytes, and at offsets up to its end.
+// The file is truncated after each of its first 400 bytes, then after every 97 bytes.
 TEST(TestVDBDamage, TruncatedFilesAreRefused)
 {
   const std::string whole = Write({ MakeBallGrid() }, Blosc);

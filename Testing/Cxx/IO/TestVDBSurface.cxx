@@ -105,8 +105,7 @@ TEST(TestVDBSurface, TheBandIsComplete)
 }
 
 // The skin has its vertices at the linear crossings of edges. Crossings of the distances differ
-// only by the curvature: h / 4r = 0.06 voxel for the thinnest ring here (r = 4 voxels) at the worst
-// angle, 0.015 at half the voxel size.
+// only by the curvature, at the worst angle by h / 4r: 0.03 voxel for tube and ball, r = 8 voxels.
 TEST(TestVDBSurface, TheZeroSetStaysWhereItIs)
 {
   const auto band = MakeBand(0.025);

@@ -141,7 +141,7 @@ TEST(TestVDBWriterMeshes, PolygonsWithMissingPointsAreAnError)
   EXPECT_EQ(CountFiles(folder), std::size_t(0)) << "files";
 }
 
-// A wall within the body ends at the body's surface. Three polygons share each of those edges.
+// A wall within the body ends at the body's surface.
 TEST(TestVDBWriterMeshes, MeshesWithRimsAreAnError)
 {
   const std::string folder = EmptyFolder("vdb_rims");
@@ -149,8 +149,8 @@ TEST(TestVDBWriterMeshes, MeshesWithRimsAreAnError)
   mesh->GetPolys()->InsertNextCell({ 0, 3, 9, 6 });
   std::string error;
   EXPECT_EQ(Write(mesh, folder + "l.vdb", &error), 0) << "not written";
-  // Two of the wall's edges are edges of the body too. Each edge across the caps belongs only to
-  // the wall.
+  // Two of the wall's edges are edges of the body too: three polygons share each. Each edge across
+  // the caps belongs only to the wall.
   EXPECT_TRUE(error.find("so it has no inside: 4 edges belong") != std::string::npos) << error;
   EXPECT_EQ(CountFiles(folder), std::size_t(0)) << "files";
 }

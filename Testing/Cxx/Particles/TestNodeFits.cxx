@@ -71,7 +71,7 @@ TEST(TestNodeFits, EigenvaluesAreThoseOfDoubles)
       {
         for (int k = i; k < 3; ++k)
         {
-          // Some matrices have a row of zeros, as for a sheet, or a double eigenvalue.
+          // Some matrices have a row of zeros, as for a sheet; some have a triple eigenvalue.
           const bool isZero = lane == 1 && k == 2;
           const double entry = isZero ? 0.0 : lane == 2 ? (i == k) : random.Between(-1.0, 1.0);
           rows[lane][i][k] = rows[lane][k][i] = entry;
@@ -105,7 +105,7 @@ TEST(TestNodeFits, CubeRootsAreThoseOfDoubles)
 namespace
 {
 
-// Visits the nodes of the shell of a block that are no deeper than the band around its skin.
+// Visits a third of the nodes of a block's shell that are no deeper than the band around its skin.
 template <class Visit>
 void ForEachNode(int side, const std::vector<SkeletonVertex>& particles, Visit&& visit)
 {
@@ -174,7 +174,8 @@ TEST(TestNodeFits, ParticlesDeepInABodyAreNotMissed)
   NodeParticleOptions options;
   options.OwnRadius = R;
   everywhere.Build(particles, options);
-  // At the faces, where no ball is larger by what its triangles lose.
+  // Compares at the faces. Near edges and corners, only the fits for nodes enlarge balls to
+  // compensate for their triangles.
   constexpr double last = 2.0 * R * (side - 1), margin = 13.0 * R;
   double largest = 0.0;
   ForEachNode(side, particles,
@@ -203,7 +204,8 @@ TEST(TestNodeFits, OneParticleIsABallAroundIt)
     Shell shell;
     nodes.FindShell(false, shell);
     ASSERT_FALSE(shell.Leaves.empty());
-    // A ball is larger by 0.155 / r of its radius, in voxels, and its kernel is shorter.
+    // In voxels, the radius of a ball is r + 0.155 / r, with r the own radius; its kernel is
+    // shorter.
     const double own = R / Voxel, ball = own + 0.155 / own, reach = 0.7 * Reach / Voxel;
     const double lone = std::pow(1.0 - ball * ball / reach / reach, 3.0);
     for (const ShellLeaf& leaf : shell.Leaves)

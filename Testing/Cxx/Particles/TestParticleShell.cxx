@@ -1,5 +1,5 @@
-// The shell of particles contains all nodes near their skin. All other nodes around it have the
-// sign of one side.
+// The shell of particles contains all nodes near their skin. All other nodes are inside where
+// ParticleNodes::IsInside returns true, otherwise outside.
 
 #include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
@@ -220,7 +220,7 @@ TEST(TestParticleShell, HoldsWhatIsNearTheSkin)
   }
 }
 
-// Leaves are then listed cell by cell.
+// If cells are wider than leaves, leaves are listed cell by cell instead of block by block.
 TEST(TestParticleShell, HoldsWhatIsNearTheSkinWithCellsWiderThanLeaves)
 {
   Cloud cloud;

@@ -84,7 +84,8 @@ TEST(TestParticleSpacing, IsNoneWithoutTwoPlaces)
   EXPECT_NEAR(FindSpacing(pair), Spacing, 1e-12);
 }
 
-// In single precision, a coordinate of 10^6 has only 16 distinct values for the 20 points.
+// In single precision, coordinates near 10^6 are multiples of 0.0625, so neighbours would be 0.0625
+// or 0.125 apart.
 TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
 {
   EXPECT_NEAR(FindSpacing(MakeLattice(20, 1e6)), Spacing, 1e-8);

@@ -15,7 +15,7 @@ using namespace activesurface;
 namespace TestMeshDefects
 {
 
-// The shell's walls are spheres 0.1 inside and outside of the mesh. Its distance has a kink at the
+// The shell's walls are spheres 0.2 inside and outside of the mesh. Its distance has a kink at the
 // mesh, which interpolation smooths within two voxels. Elsewhere the error is that of a sphere,
 // 0.01 at h = 0.05.
 TEST(TestMeshDefects, OpenMeshesBecomeShells)
@@ -66,8 +66,7 @@ TEST(TestMeshDefects, CubesThatShareAnEdgeAreASolid)
   EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "closed: no shell";
 }
 
-// The lost point belongs to five or six triangles. They are ignored, and leave a hole with as many
-// edges.
+// The lost point belongs to six triangles. They are ignored, and leave a hole with six edges.
 TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
 {
   for (const double bad : { NaN, Infinity, 1e200 })

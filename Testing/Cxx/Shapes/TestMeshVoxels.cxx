@@ -87,7 +87,7 @@ TEST(TestMeshVoxels, NeedlesOfAMillionVoxelsTakeNoTime)
   EXPECT_NEAR(EstimateVoxelsNear(mesh, 1.0, Band, 1e9), 1e8, 1e6);
 }
 
-// The input has 10^9 voxels along each axis. Memory and time are limited by the maximum.
+// The input has 2 * 10^9 voxels along each axis. Memory and time are limited by the maximum.
 TEST(TestMeshVoxels, CountingEndsBeyondTheMaximum)
 {
   const MeshTriangles mesh = ReadTriangles(MakeSphere(1e9, 20));

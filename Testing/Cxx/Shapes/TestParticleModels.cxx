@@ -126,7 +126,7 @@ TEST(TestParticleModels, LoneParticleIsABallOfItsOwnRadius)
   }
 }
 
-// The aim is 0.15 r. The plane of the lattice itself is exact, apart from a fraction at the edges.
+// The surface should be a plane, r above the centres of the top layer, to 0.15 r.
 TEST(TestParticleModels, LayersOfABodyAreAPlane)
 {
   auto potential = MakePotential(MakeBox(16, 16, 10));

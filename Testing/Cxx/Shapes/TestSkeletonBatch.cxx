@@ -107,7 +107,7 @@ TEST(TestSkeletonBatch, CrowdsGiveTheBitsOfSinglePlaces)
   SetInstructionSet(usual);
 }
 
-// The points are in the middle of a cluster. Comparisons with NaN are always false.
+// Every fifth point is not finite, within its cluster. Comparisons with NaN are always false.
 TEST(TestSkeletonBatch, PlacesThatAreNotFiniteLeaveTheirCrowdAlone)
 {
   Random random(9);
