@@ -161,8 +161,8 @@ TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
   }
 }
 
-// The last node of a part that shrinks to nothing is 0.87 voxel from its centre. The tolerance is
-// twice that.
+// The last node of a part that shrinks to nothing is up to 0.87 voxel from its centre. The
+// tolerance is twice that.
 TEST(TestArrival, PartsGrowAndShrinkEvenly)
 {
   const Ball left = { { -.5, .013, -.021 }, .35 }, right = { { .5, .03, .01 }, .4 };
@@ -194,7 +194,7 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
-// F / |grad F| is wrong by up to a third where the surface starts.
+// F / |grad F|, limited to 0.3, is wrong by up to a third where the surface starts.
 TEST(TestArrival, TargetNeedNotBeADistance)
 {
   const Shape goal = Normalise(MakeAlgebraicBall(CentreA, .6), .3);
@@ -205,8 +205,7 @@ TEST(TestArrival, TargetNeedNotBeADistance)
   morph.CheckArrived(goal);
 }
 
-// Same tolerance as for metamorphoses by Attraction: Tension displaces the steady state by less
-// than 0.02 voxel.
+// Same tolerance as without Tension, which displaces the steady state by up to 0.02 voxel.
 TEST(TestArrival, TensionDoesNotMakeItLate)
 {
   const Shape goal = MakeTorus(CentreA, .5, .2);
@@ -225,7 +224,7 @@ TEST(TestArrival, AfterItTheAttractionOfTheMotionHolds)
   morph.CheckArrived(MakeBall(CentreA, .6));
 }
 
-// The update is aborted before every other substep, then resumed.
+// Each update is aborted after one substep, then resumed.
 TEST(TestArrival, InterruptionDoesNotChangeIt)
 {
   const Shape from = MakeBall(CentreA, .3), to = MakeSixMetaballs();
@@ -295,9 +294,9 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Minimum, -1.0, H * AtTheEnd);
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
-// The corners of a box within a ring graze the ring or miss it by a voxel. The overlap is too thin
-// to grow from, so the box needs a core of its own. From the box to the ring, a core fits into the
-// ring.
+// The corners of a box within a ring graze the ring or miss it by up to three voxels. The overlap
+// is too thin to grow from, so the box needs a core of its own. From the box to the ring, a core
+// fits into the ring.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

@@ -55,8 +55,8 @@ struct Held
   double Stiffness;
 };
 
-// A ball is in a steady state where its tension 2 b / r equals the speed of the penalty. Tolerance
-// 1 %. The bias of the curvature is 0.3 % at this radius of 7 voxels.
+// A ball is in a steady state where the speed 2 b / r of the tension b equals the speed of the
+// penalty. Tolerance 1 %. The bias of the curvature is 0.3 % at this radius of 7 voxels.
 TEST(TestControls, PenaltyOfVolumeLeavesTheExactOffset)
 {
   for (const Held& held :
@@ -169,8 +169,9 @@ TEST(TestControls, ExactVolumeIsHeld)
   }
 }
 
-// Two balls on a neck of two voxels. Tension tears the neck, and the sum of both drops keeps the
-// volume. The requirement is 2e-4. An exact control reaches 1e-5 through any split.
+// Two balls on a neck with a radius of two or three voxels. Tension tears the neck, and the sum of
+// both drops keeps the volume. The requirement is 2e-4. An exact control reaches 1e-5 through any
+// split.
 TEST(TestControls, PeanutPinchesIntoTwoDropsOfItsVolume)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });

@@ -75,7 +75,7 @@ private:
   Point Before{}, Now{};
 };
 
-// With the second tension the balls are in a steady state 0.4 voxel within their target.
+// With the second tension the balls are in a steady state 0.2 voxel within their target.
 constexpr double Tensions[] = { 0.0, 0.01 };
 
 Motion MakeMotion(double tension)
@@ -141,8 +141,9 @@ TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
     EXPECT_LT(report.SkippedSubsteps, 2u)
       << "substeps in which nothing moved: the first, until the target does";
 
-    // The right metaball follows with the lag U / Attraction. Tension adds an offset of 2 / r *
-    // Tension / Attraction.
+    // The right metaball, of the speed U, is followed with a lag of at most U / Attraction. Tension
+    // adds an offset of at most 2 / r * Tension / Attraction. The target's slope, 3.8, reduces
+    // both.
     const double lag = 0.2 * 3.0 * std::cos(1.5) / 5.0 / VoxelSize;
     const double within = 2.0 * tension / (Support * 0.5) / 5.0 / VoxelSize;
     const double off =
@@ -185,7 +186,7 @@ TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
 }
 
 // A dent of the target wakes the surface at any point within a leaf. The dent is half a voxel deep
-// and smaller than a leaf. Its volume appears, less what Tension removes.
+// and smaller than a leaf. The body loses the dent's volume, less what Tension fills.
 TEST(TestConvergedLeaves, ADentWakesTheSurfaceAnywhere)
 {
   const Ball ball = { { 0.013, -0.007, 0.021 }, 0.6 };

@@ -63,7 +63,7 @@ TEST(TestEvaluation, EvaluationAtTheSurfaceIsSmooth)
   }
 }
 
-// Each Advance evaluates as many samples as there are active nodes.
+// A substep evaluates the target once for each active node.
 TEST(TestEvaluation, EvaluationCountsItsPoints)
 {
   for (const TargetEvaluation evaluation :
@@ -159,8 +159,8 @@ TEST(TestEvaluation, SchemesCanTakeTurns)
     << "mean distance at the end [h]";
 }
 
-// With +Tension * kappa, as in eq. (4), a bump grows: backward diffusion. With the right sign, a
-// sphere would grow by at most a third of its area in 15 substeps of the stable length.
+// With +Tension * kappa, as in eq. (4), a bump grows: backward diffusion. Without bumps, the area
+// of a sphere would grow by a sixth in 15 substeps of the stable length.
 TEST(TestEvaluation, LiteralSignOfTensionBlowsUp)
 {
   Motion motion;

@@ -122,8 +122,7 @@ void CheckScene(const Scene& scene, Control area, double tolerance)
   }
 }
 
-// The control ends at a relative error of 1e-9, or after eight displacements. The documentation
-// promises 1e-6.
+// The control ends at a relative error of 1e-9, or after eight displacements. Tolerance 1e-6.
 TEST(TestExactControl, ACubeKeepsItsVolumeOnItsWayToABall)
 {
   const Shape ball = MakeBall({ 0.6, 0.2, 0.1 }, 0.3);

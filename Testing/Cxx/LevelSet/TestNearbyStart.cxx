@@ -69,8 +69,8 @@ std::unique_ptr<NarrowBand> StartIn(
 }
 
 // Balls are wider than two cells, so the lattice detects each of them. A ball may bulge by r -
-// sqrt(r^2 - s^2 / 2) into a cell without a corner inside. This is 0.02 voxel, within the spare
-// voxel.
+// sqrt(r^2 - s^2 / 2) into a cell of side s without a corner inside. This is at most 0.21 voxel,
+// within the spare voxel.
 TEST(TestNearbyStart, HasTheBytesOfADenseStart)
 {
   RandomShapes random(31);
@@ -200,7 +200,7 @@ TEST(TestNearbyStart, NothingAndTooMuch)
   EXPECT_TRUE(band.IsEmpty());
 }
 
-// The error precedes any evaluation or allocation: the lattice would have a billion nodes along
+// The error precedes any evaluation or allocation: the lattice would have two billion nodes along
 // each axis.
 TEST(TestNearbyStart, VoxelsThatAreFarTooSmallAreRefusedAtOnce)
 {

@@ -52,7 +52,7 @@ std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
 }
 
 // Crossings of a ball's distance are exact except for the curvature of its level sets along an
-// edge. The chord is at most a voxel: h / 8 r = 0.02 voxel.
+// edge. The chord is at most a voxel: h / 8 r = 0.03 voxel.
 TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 {
   // The balls are 19 voxels apart: five layers and the remainders of two leaves do not meet.
@@ -153,8 +153,7 @@ TEST(TestNewParts, HollowOpensDeepInside)
     {
       if (part.IsVoid())
       {
-        // The error is second order in h / r: 0.18 % at r = 18.9 h (front.md of LevelSet), here r
-        // = 7.05 h.
+        // The error is second order in h / r: 0.18 % at r = 18.9 h (TestSphere), here r = 7.05 h.
         EXPECT_NEAR(-part.Volume / exact, 1.0, 0.0018 * 18.9 * 18.9 * H * H / (inner * inner));
       }
     }

@@ -169,8 +169,7 @@ TEST(TestReproducible, RunningTwiceGivesTheSameBytes)
   }
 }
 
-// The update is aborted before every substep and resumed to the same time: the substeps are the
-// same.
+// Each update is aborted after one substep and resumed to the same time: the substeps are the same.
 TEST(TestReproducible, InterruptionLeavesNoTrace)
 {
   for (const Scene& scene : Scenes)

@@ -40,9 +40,10 @@ struct Balance
   Point Centre;
 };
 
-// The balance a (R - r) = 2 b / r has the solution r = (R + sqrt(R^2 - 8 b / a)) / 2. The error is
-// second order in space: the bias of the curvature is -0.016 h at n = 32, -0.008 h at n = 64. The
-// tolerances, 0.04 h and a spread of 0.08 h, are twice that.
+// The balance a (R - r) = 2 b / r of the attraction a and the tension b has the solution r = (R +
+// sqrt(R^2 - 8 b / a)) / 2. The error is second order in space: the bias of the curvature is -0.016
+// h at n = 32, -0.008 h at n = 64. The tolerances, 0.04 h and a spread of 0.08 h, are more than
+// twice that.
 void CheckBalance(const Balance& balance)
 {
   const double h = VoxelSizeOf(balance.Nodes);

@@ -52,7 +52,7 @@ struct Course
 
 // Displacement of the skin in a short time, from the mean of its speeds at the beginning and the
 // end, compared with its distance from the earlier skin. Tolerance: 5 % of the mean displacement,
-// in the mean. Within a quarter of a voxel the speed changes little.
+// in the mean. Within a tenth of a voxel the speed changes little.
 void CheckSpeeds(const Course& course, int n)
 {
   const double h = VoxelSizeOf(n);
@@ -93,7 +93,7 @@ Motion MotionOf(double attraction, double tension)
   return motion;
 }
 
-// Seen from the side: a ball with a steady lag behind a target in uniform motion.
+// A ball with a steady lag behind a target in uniform motion.
 Course MakeTranslation()
 {
   const auto path = [](double time) { return MakeBall({ -0.3 + 0.4 * time, 0.013, -0.007 }, 0.4); };

@@ -33,8 +33,8 @@ void Settle(NarrowBand& band, double radius)
 
 }
 
-// The steady state under tension is accurate to 0.04 voxel (front.md of LevelSet). Near the fold
-// an error is amplified by 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57.
+// The steady state under tension is accurate to 0.04 voxel (TestRest). Near the fold an error is
+// amplified by 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57.
 TEST(TestSmallestBall, ABallAboveTheFoldRestsAtTheExactRadius)
 {
   const double target = 3.2 * LengthOfTension;

@@ -66,7 +66,7 @@ TEST(TestSphere, BallHasExactAreaAndVolumeAtRandom)
 }
 
 // Sample points lie on chords of the lattice's edges. Linear interpolation of a distance along an
-// edge is wrong by at most (1/8) (h^2 / r) < 0.01 h at n = 32. Float32 adds h * 1e-7.
+// edge is wrong by at most (1/8) (h^2 / r) = 0.013 h at n = 32. Float32 adds h * 1e-7.
 TEST(TestSphere, BallHasExactRadius)
 {
   for (const int n : { 32, 64 })

@@ -126,8 +126,8 @@ TEST(TestTension, ShrinkingBallHasExactRadiusAtRandom)
 }
 
 // The exact time is r0^2 / 4 b. The last voxel of the ball is no sphere on the lattice. Its time is
-// uncertain by about h^2 / b, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h. Half of that
-// uncertainty was measured.
+// uncertain by about h^2 / b, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h. The tolerance, 5 %,
+// is a quarter of that uncertainty.
 void CheckVanishing(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
@@ -153,7 +153,7 @@ TEST(TestTension, BallVanishesAtTheExactTime)
   }
 }
 
-// The smallest ball, of 4.2 h, needs 4.5 h^2 / b: the last voxel's part is a quarter larger.
+// The smallest ball, of 4.2 h, needs 4.4 h^2 / b: the last voxel's part is a quarter larger.
 TEST(TestTension, BallVanishesAtTheExactTimeAtRandom)
 {
   RandomShapes random(3);
