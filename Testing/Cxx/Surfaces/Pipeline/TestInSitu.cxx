@@ -1,4 +1,4 @@
-// A running simulation publishes its time steps one by one, and none of them is available twice.
+// A running simulation publishes its time steps one by one, or provides each time only once.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"

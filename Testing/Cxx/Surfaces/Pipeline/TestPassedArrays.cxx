@@ -125,9 +125,9 @@ TEST(TestPassedArrays, WhereNoKernelReachesTheNearestCounts)
   EXPECT_EQ(wrong, vtkIdType(0)) << "of which are wrong";
 }
 
-// Particle 2, of value 300, is born beside particle 1, of value 100, between step 0 and step 1. At
-// a fraction f its weight is multiplied by f. Where both kernels are equal, its part of the value
-// is f / (1 + f), and nowhere more than its weight.
+// Particle 2, of value 300, is born at the position of particle 1, of value 100, between step 0 and
+// step 1. At a fraction f its kernel is multiplied by f. As both kernels are otherwise equal, its
+// part of the value is f / (1 + f).
 TEST(TestPassedArrays, ABirthComesInByItsStrength)
 {
   const auto cloud = [](double time)

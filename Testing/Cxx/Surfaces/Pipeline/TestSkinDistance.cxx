@@ -187,9 +187,9 @@ TEST(TestSkinDistance, VerticesOfTheSkinAreAtZero)
   EXPECT_LT(largest, 1e-5) << "largest distance of a vertex [h]";
 }
 
-// Points are within a voxel, where the value is not clamped. The quotient's third derivatives are
-// at most about 1e3 / h^2 (its slopes are about 1, at worst 0.05), times step^2 / 6. Rounding adds
-// 1e-16 / 1e-4.
+// Points are in the interior of voxels, and where the value is not clamped. The quotient's third
+// derivatives are at most about 1e3 / h^2 (its slopes are about 1, at worst 0.05), times step^2 /
+// 6. Rounding adds 1e-16 / 1e-4.
 TEST(TestSkinDistance, GradientIsThatOfTheValue)
 {
   auto band = MakeMetaballBand();

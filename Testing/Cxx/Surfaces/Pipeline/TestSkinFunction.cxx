@@ -320,7 +320,7 @@ TEST(TestSkinFunction, SkinFunctionCanBeATarget)
 }
 
 // A plane through the centre cuts out a disc of the ball's radius, and its circle. The skin's cells
-// and the plane's pieces of 0.02 add a sagitta of h^2 / 8 r = 0.0008 each.
+// add a sagitta of h^2 / 8 r = 0.0008, the plane's pieces of 0.02 one of 0.0001.
 TEST(TestSkinFunction, SkinFunctionCutsAndClips)
 {
   auto filter = MakeShrinkingBall();

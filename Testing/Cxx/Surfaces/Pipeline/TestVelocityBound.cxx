@@ -117,8 +117,8 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
   EXPECT_LT(10, kept) << "others";
 }
 
-// A skin follows a ball with a lag that is accurate to 0.12 voxel (front.md of LevelSet). The
-// error of its speed is that times Attraction, by which the front may exceed the bound.
+// A skin follows a ball with a lag that is accurate to 0.12 voxel (TestTracking). The error of its
+// speed is that times Attraction, by which the front may exceed the bound.
 TEST(TestVelocityBound, ATranslationIsNotShortened)
 {
   constexpr double attraction = 10.0;
@@ -159,7 +159,7 @@ TEST(TestVelocityBound, TheBoundIsPerMotionTime)
     << "largest velocity, ten times as fast";
 }
 
-// Growing or static particles, and functions.
+// A skin over static particles that starts on another shape, and a function as target.
 TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
 {
   const Cloud still = [](double) { return Meeting(2.5); };

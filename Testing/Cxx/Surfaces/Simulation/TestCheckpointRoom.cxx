@@ -14,7 +14,7 @@ using namespace activesurface;
 namespace TestCheckpointRoom
 {
 
-// The start is never discarded. Of the others, the first of those is discarded whose removal leaves
+// The start is discarded last. Of the others, the first of those is discarded whose removal leaves
 // the smallest gap.
 TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
 {

@@ -33,7 +33,7 @@ using namespace activesurface;
 namespace TestCheckpoints
 {
 
-// Two drops that meet and separate again, in 31 steps; voxels of 0.08.
+// Two drops that meet and separate again, and a third one at rest, in 31 steps.
 vtkSmartPointer<ParticleSource> MakeDrops()
 {
   auto source = vtkSmartPointer<ParticleSource>::New();
@@ -88,8 +88,8 @@ std::string GetAllAt(vtkActiveImplicitSurface* filter, double time)
     std::string(bytes, static_cast<std::size_t>(4 * distances->GetNumberOfValues()));
 }
 
-// 200 times in any order, a third of them between the steps. Raw numbers of the generator are the
-// same on all platforms.
+// Times in any order, a third of them between the steps. Raw numbers of the generator are the same
+// on all platforms.
 std::vector<double> DrawTimes(int count)
 {
   std::mt19937 random(4);
@@ -326,7 +326,7 @@ TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.5), good)) << "and is that of its time";
 }
 
-// The aim is 4 bytes per active voxel, including signs and masks.
+// The size is 4 bytes per active voxel, and 144 bytes per leaf, with its two masks.
 TEST(TestCheckpoints, PackedStateIsSmallAndGoesOnToTheSameBytes)
 {
   for (const int n : { 40, 96 })

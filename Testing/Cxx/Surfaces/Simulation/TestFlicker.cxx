@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr int Frames = 40;
-constexpr int FirstFrame = 10; // e^-3.5 of the start remains at the lowest rate
+constexpr int FirstFrame = 10; // e^-3.3 of the start remains at the lowest rate
 constexpr double Spacing = 0.1;
 constexpr double Radius = 2.0 * Spacing;
 constexpr double Jitter = 0.1 * Radius;

@@ -201,7 +201,7 @@ TEST(TestInitial, OneSourceMayBeBoth)
   EXPECT_NEAR(centre, 0.2 - 0.1 * (1.0 - std::exp(-2.0)), 0.5 * VoxelSize) << "centre";
 }
 
-// Bounds of a mesh of radius 0.6 with a quarter of its width added: 1.5 * 0.6.
+// Bounds of a mesh of width 1.2 with a quarter of its width added: 1.5.
 TEST(TestInitial, BoundsComeFromTheInput)
 {
   auto filter = MakeShrinking(MakeMeshSource(0.6));

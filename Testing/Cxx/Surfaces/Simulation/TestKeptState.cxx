@@ -142,7 +142,7 @@ TEST(TestKeptState, StoppedStartIsMadeAgain)
     << "the same bytes";
 }
 
-// A state between two steps is no state to branch from, and neither is the step before.
+// No branch starts from a state between two steps: the filter returns to the step before.
 TEST(TestKeptState, TimesBeforeTheNextStepStartAnew)
 {
   auto direct = MakeGrowingBall(Many);

@@ -206,8 +206,8 @@ struct Levels
   }
 };
 
-// Both skins are wrong by 0.0015 voxel in the mean, and by at most 0.12 while they move (front.md
-// of LevelSet, Accuracy).
+// Both skins are wrong by 0.0015 voxel in the mean (front.md of LevelSet, Accuracy), and by at most
+// 0.12 while they move (TestTracking).
 constexpr double MeanError = 0.003 * Voxel;
 constexpr double LargestError = 0.12 * Voxel;
 

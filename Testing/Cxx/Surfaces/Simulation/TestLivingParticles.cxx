@@ -229,8 +229,8 @@ TEST(TestLivingParticles, SkinThatHasVanishedComesBackWithParticles)
   EXPECT_EQ(messages.CountAll(), 1u);
 }
 
-// Tension / Attraction = r^2 would remove balls up to 2.4 r. The ball of an isolated particle has
-// r.
+// Tension / Attraction = r^2 removes balls with a radius below 2.83 r in the limit of many steps.
+// The ball of an isolated particle has r.
 TEST(TestLivingParticles, TensionSparesDrops)
 {
   const auto withDrop = [](double)

@@ -77,8 +77,8 @@ double GetOffset(double power, double right)
 
 }
 
-// The documentation promises 1e-5 through splits. Here tension splits a dumbbell, then the ball
-// follows.
+// Tolerance 1e-5 through splits, as in TestControls. Tension splits a dumbbell; the second skin
+// follows a moving ball.
 TEST(TestMotionProperties, ExactVolumeIsHeldInTheHistory)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -116,7 +116,8 @@ TEST(TestMotionProperties, TargetVolumeAndAreaAreHeld)
 }
 
 // e (1 - e)^(1/3) = 2 b / (g r0) for the volume, e (1 - e)^(1/2) = 2 b / (g r0) for the area, with
-// r0 of the polygons. Tolerance 1 % as in TestControls, which uses the same balls.
+// tension b, stiffness g, and r0 of the polygons. Tolerance 1 % as in TestControls, which uses the
+// same balls.
 TEST(TestMotionProperties, PenaltiesLeaveTheirOffsets)
 {
   constexpr double stiffness = 100.0;

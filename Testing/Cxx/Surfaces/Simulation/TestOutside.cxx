@@ -34,7 +34,7 @@ constexpr double Spacing = 0.2;
 constexpr double R = 0.5 * Spacing;
 constexpr double BallRadius = 0.5;
 
-// A block of 4 x 4 x 4 particles, and from time 1 on another one, far away.
+// A block of 4 x 4 x 4 particles, and from time 1 on another particle, far away.
 std::vector<Particle> MakeBlockAndDrop(double time)
 {
   std::vector<Particle> particles;

@@ -27,7 +27,7 @@ namespace TestRestart
 namespace
 {
 
-// Returns true if the change restarts the motion: the next step then has to come after the first.
+// Returns true if the change restarts the motion: the next step then repeats all steps before.
 bool Restarts(const std::function<void(vtkActiveImplicitSurface*)>& change)
 {
   auto filter = MakeShrinkingBall();

@@ -26,7 +26,7 @@ namespace TestConnectedFunctions
 namespace
 {
 
-// The first of the moving ball's particles is at x = 0.2 t.
+// Returns x of the least value. The moving ball's particle is at x = 0.2 t.
 double FindLeast(vtkSkeletonPotential* potential)
 {
   double best = 0.0, least = 1.0;

@@ -176,8 +176,8 @@ TEST(TestFunctions, InsideMayBeAboveTheIsoValue)
     << "radius at the iso value";
 }
 
-// Beyond the reach the speed is Attraction * TargetReach: uniform, so exact up to chords, 0.13 h
-// (front.md of LevelSet, Accuracy).
+// Beyond the reach the speed is Attraction * TargetReach: uniform, so exact up to 0.13 h, less than
+// the tolerance of a uniform speed in TestTracking.
 TEST(TestFunctions, FarTargetsAttractWithConstantSpeed)
 {
   auto filter = MakeShrinkingBall();
@@ -264,7 +264,7 @@ TEST(TestFunctions, FunctionsAreLetGo)
 }
 
 // Distances to a ball, sampled as finely as the skin. Trilinear interpolation is off by spacing^2 /
-// 4r = 0.04 voxel, and the skin by another 0.04 (front.md of LevelSet, Accuracy).
+// 4r = 0.04 voxel, and the skin by at most another 0.04 (front.md of LevelSet, Accuracy).
 TEST(TestFunctions, GridPotentialIsATargetOfTheSkin)
 {
   Place place(false);

@@ -1,5 +1,5 @@
-// TargetNoise: the skin follows slowly within this distance of the target. Automatic it is
-// the distance over moving particles.
+// TargetNoise: the skin follows slowly within this distance of the target. The automatic value over
+// particles is r / 2.
 
 #include "Support/PipelineTools.h"
 #include "Support/SameSkins.h"

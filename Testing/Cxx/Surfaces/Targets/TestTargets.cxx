@@ -158,7 +158,7 @@ TEST(TestTargets, ImageOfABallGivesABall)
   CheckBall(filter, 0.5, ImageError + 0.01 * VoxelSize, "of short integers");
 }
 
-// A box of (2, 3, 4) pixels with a margin of half its size, turned so that its x goes along -y.
+// The image is turned so that its x axis goes along -y.
 TEST(TestTargets, ImageIsWhereItsDirectionSays)
 {
   vtkSmartPointer<vtkImageData> image = MakeBallImage(0.5, 0.25);
