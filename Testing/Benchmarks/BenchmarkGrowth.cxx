@@ -9,11 +9,11 @@
 // the straight line through the logarithms, by least squares. "while advancing" is the peak of the
 // substeps only. The start, which samples the bounds and sweeps distances, needs more.
 //
-// Threads: the largest n, 1 to all threads, relative to one.
+// Threads: half of the largest n, 1 to all threads, relative to one.
 //
-// Particles: a ball of radius 1 filled with 1,000 times 1, 2, 4 ... particles, whose kernels shrink
-// with their spacing; the voxel is constant. Prints seconds per frame of the filter, which include
-// the search structure of the particles.
+// Particles: a ball of radius 1 filled with 1,000 times 1, 4, 16 ... particles, whose kernels
+// shrink with their spacing; the voxel is constant. Prints seconds per frame of the filter, which
+// include the search structure of the particles.
 
 #include "Base/OpenVDB.h"
 #include "Measuring.h"

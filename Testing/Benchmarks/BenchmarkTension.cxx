@@ -4,7 +4,7 @@
 // Run: BenchmarkTension [quick]
 //
 // Costs are nanoseconds per active voxel and substep, each per active voxel of its own band. Our
-// band is 5 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2. Costs
+// band is 6 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2. Costs
 // include all parts of a substep: in OpenVDB the step, renormalisation and the new band.
 //
 //   tension: tension only

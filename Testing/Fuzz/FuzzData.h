@@ -54,7 +54,7 @@ inline vtkSmartPointer<vtkCellArray> MakeCells(FuzzInput& input, int points)
   return cells;
 }
 
-// Adds an array with a name that SetArrays chooses.
+// Adds an array of this name, of any type, often of a wrong number of tuples or components.
 inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData* data)
 {
   constexpr int types[] = { VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_ID_TYPE, VTK_UNSIGNED_CHAR,
