@@ -156,17 +156,18 @@ void Reader::AddPolygon(vtkIdList* ids)
   }
 }
 
-// Flat triangles of strips are no defects: they turn or join strips.
+// Every second triangle of a strip lists its points in reverse order. Flat triangles of strips are
+// no defects: they turn or join strips.
 void Reader::AddStrip(vtkIdList* ids)
 {
   vtkNew<vtkIdList> triangle;
   triangle->SetNumberOfIds(3);
   for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
   {
-    for (vtkIdType corner = 0; corner < 3; ++corner)
-    {
-      triangle->SetId(corner, ids->GetId(i - 2 + corner));
-    }
+    const vtkIdType reversed = i % 2;
+    triangle->SetId(reversed, ids->GetId(i - 2));
+    triangle->SetId(1 - reversed, ids->GetId(i - 1));
+    triangle->SetId(2, ids->GetId(i));
     if (this->Accept(triangle))
     {
       this->AddEdges();
