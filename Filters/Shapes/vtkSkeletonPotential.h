@@ -34,8 +34,8 @@
  *   includes, is subtracted m - 1 times.
  * - A straight line has the same potential however it is cut. A bent line or a branching is rounded
  *   on the inner side of the bend and equal to a single segment elsewhere.
- * - Only a shared point id makes a joint, not equal coordinates. To thicken a joint, give its point
- *   a vertex cell.
+ * - Ends of segments that are equal in position, radius and strength are one point. To thicken a
+ *   joint, give its point a vertex cell.
  *
  * @par Particles as a body of fluid: ParticleModel ANISOTROPIC
  * - An ellipsoid is fitted to the neighbourhood of each point (Yu, Turk 2013), as by

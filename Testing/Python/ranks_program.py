@@ -208,11 +208,14 @@ def image(ranks, keeper, folder):
 
 @run
 def skeleton(ranks, keeper, folder):
-    """Segments end to end, of which each rank has some."""
+    """A polyline, of which each rank has a part; neighbours have copies of a common end."""
     points, lines = vtkPoints(), vtkCellArray()
-    for i in numpy.flatnonzero(in_blocks(0, 8, ranks.size) == ranks.rank):
-        ends = [points.InsertNextPoint(0.1 * k, 0.05 * (k % 2), 0) for k in (i, i + 1)]
-        lines.InsertNextCell(2, ends)
+    own = numpy.flatnonzero(in_blocks(0, 8, ranks.size) == ranks.rank)
+    if len(own):
+        ids = [
+            points.InsertNextPoint(0.1 * k, 0.05 * (k % 2), 0) for k in range(own[0], own[-1] + 2)
+        ]
+        lines.InsertNextCell(len(ids), ids)
     segments = vtkPolyData()
     segments.SetPoints(points)
     segments.SetLines(lines)

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -114,17 +116,61 @@ std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
         }
       }
     });
-  RemoveRepeated(segments);
   return segments;
 }
 
-// Flags the points that are elements: points of vertex cells, and points without segments. Counts
-// references to missing points in `ignored`.
-std::vector<bool> FindLonePoints(
-  vtkPointSet* input, const std::vector<Ends>& segments, std::size_t& ignored)
+// Returns for each point the first end of a segment that has the same position, radius and
+// strength. Returns the point itself if its numbers are not usable, or if it is no end.
+std::vector<vtkIdType> FindFirstEnds(
+  const std::vector<SkeletonVertex>& vertices, const std::vector<Ends>& segments)
+{
+  const auto key = [&vertices](vtkIdType id)
+  {
+    const SkeletonVertex& vertex = vertices[id];
+    return std::array<double, 5>{ vertex.Position[0], vertex.Position[1], vertex.Position[2],
+      vertex.Radius, vertex.Strength };
+  };
+  std::vector<vtkIdType> ids;
+  for (const Ends& ends : segments)
+  {
+    std::copy_if(ends.begin(), ends.end(), std::back_inserter(ids),
+      [&vertices](vtkIdType id) { return vertices[id].IsUsable(); });
+  }
+  std::sort(ids.begin(), ids.end(),
+    [&key](vtkIdType a, vtkIdType b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<vtkIdType> first(vertices.size());
+  std::iota(first.begin(), first.end(), vtkIdType(0));
+  for (std::size_t i = 1; i < ids.size(); ++i)
+  {
+    first[ids[i]] = key(ids[i]) == key(ids[i - 1]) ? first[ids[i - 1]] : ids[i];
+  }
+  return first;
+}
+
+// Makes ends of equal position, radius and strength one point, the first of them.
+void MergeEnds(const std::vector<vtkIdType>& first, std::vector<Ends>& segments)
+{
+  std::size_t kept = 0;
+  for (const Ends& ends : segments)
+  {
+    segments[kept] = { first[ends[0]], first[ends[1]] };
+    kept += segments[kept][0] != segments[kept][1] ? 1 : 0;
+  }
+  segments.resize(kept);
+  RemoveRepeated(segments);
+}
+
+// Flags the points that are elements: points of vertex cells, and points without segments that are
+// not merged into another point. Counts references to missing points in `ignored`.
+std::vector<bool> FindLonePoints(vtkPointSet* input, const std::vector<vtkIdType>& first,
+  const std::vector<Ends>& segments, std::size_t& ignored)
 {
   const vtkIdType points = input->GetNumberOfPoints();
-  std::vector<bool> isLone(points, true);
+  std::vector<bool> isLone(points);
+  for (vtkIdType id = 0; id < points; ++id)
+  {
+    isLone[id] = first[id] == id;
+  }
   for (const Ends& ends : segments)
   {
     isLone[ends[0]] = isLone[ends[1]] = false;
@@ -189,7 +235,9 @@ std::size_t AddElements(vtkPointSet* input, const SkeletonArrays& arrays, Skelet
   {
     segments = GetSegments(polyData, ignored);
   }
-  const std::vector<bool> isLone = FindLonePoints(input, segments, ignored);
+  const std::vector<vtkIdType> first = FindFirstEnds(vertices, segments);
+  MergeEnds(first, segments);
+  const std::vector<bool> isLone = FindLonePoints(input, first, segments, ignored);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     const bool isUsable = vertices[i].IsUsable();

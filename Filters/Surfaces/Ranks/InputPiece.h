@@ -3,9 +3,8 @@
 // Each rank requests its own piece. The pieces of meshes, skeletons and images are sent to all
 // ranks and assembled to the whole input on each rank (PieceGather.h); particles may stay
 // distributed instead (Targets/OwnedParticles.h). Data at the border of two pieces occur once in
-// the whole: ghosts are omitted, equal points of meshes are merged later (MeshTriangles.h), and
-// nodes of images are identified by their index. Exception: equal points of skeletons are not
-// merged, so segments of two pieces make no joint (vtkSkeletonPotential.h).
+// the whole: ghosts are omitted, equal points of meshes and of segments are merged later
+// (MeshTriangles.h, SkeletonInput.h), and nodes of images are identified by their index.
 
 #ifndef InputPiece_h
 #define InputPiece_h

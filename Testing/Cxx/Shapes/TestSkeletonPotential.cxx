@@ -215,6 +215,45 @@ TEST(TestSkeletonPotential, JointsDoNotBulge)
   }
 }
 
+// Each segment has its own copies of its ends, as in pieces of several ranks. Ends that differ in
+// radius are no joint. A segment between two copies of a point is that point.
+TEST(TestSkeletonPotential, CopiesOfAnEndAreOnePoint)
+{
+  const std::vector<Point> corners = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.5 },
+    { 2.0, 1.0, 0.5 } };
+  SkeletonBuilder shared;
+  SkeletonBuilder copied;
+  std::vector<vtkIdType> line;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    line.push_back(shared.Add(corners[i]));
+    if (i > 0)
+    {
+      copied.Join({ copied.Add(corners[i - 1]), copied.Add(corners[i]) });
+    }
+  }
+  shared.Join(line);
+  copied.Join({ copied.Add(corners[1]), copied.Add(corners[1]) });
+  vtkNew<vtkSkeletonPotential> ofShared;
+  vtkNew<vtkSkeletonPotential> ofCopied;
+  shared.GiveTo(ofShared);
+  copied.GiveTo(ofCopied);
+  Random random(5);
+  for (int i = 0; i < 200; ++i)
+  {
+    const Point x = random.In(-0.5, 2.5);
+    EXPECT_EQ(ValueAt(ofCopied, x), ValueAt(ofShared, x)) << "as with shared points";
+  }
+  copied.Radii->SetValue(2, 2.0 * copied.Radii->GetValue(1));
+  copied.Data->Modified();
+  EXPECT_LT(ValueAt(ofCopied, corners[1]), -1.0) << "no joint of two radii";
+  SkeletonBuilder single;
+  single.Join({ single.Add(corners[0]), single.Add(corners[0]) });
+  vtkNew<vtkSkeletonPotential> ofSingle;
+  single.GiveTo(ofSingle);
+  EXPECT_EQ(ValueAt(ofSingle, corners[0]), -0.5) << "one point";
+}
+
 // On the outer side of a bend or branching, the joint acts as one point. Tolerance for rounding:
 // 1e-14.
 TEST(TestSkeletonPotential, BendsAndBranchesAreOneAtTheJoint)
