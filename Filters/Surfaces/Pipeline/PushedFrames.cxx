@@ -4,7 +4,11 @@
 #include "Pipeline/SurfaceProperties.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
@@ -42,10 +46,26 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
   }
 }
 
+// Copies the arrays of an image: a target keeps these arrays (ImageShape.cxx), but the caller may
+// overwrite them for the next frame. Shares other arrays, which a target copies.
 vtkSmartPointer<vtkDataObject> Share(vtkDataObject* data)
 {
   auto frame = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
   frame->ShallowCopy(data);
+  if (auto image = vtkImageData::SafeDownCast(frame))
+  {
+    image->GetPointData()->DeepCopy(vtkImageData::SafeDownCast(data)->GetPointData());
+  }
+  if (auto tree = vtkDataObjectTree::SafeDownCast(frame))
+  {
+    tree->CopyStructure(vtkDataObjectTree::SafeDownCast(data));
+    const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(
+      vtkDataObjectTree::SafeDownCast(data)->NewIterator());
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      tree->SetDataSet(block, Share(block->GetCurrentDataObject()));
+    }
+  }
   return frame;
 }
 
@@ -100,6 +120,10 @@ void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data
   const std::vector<double>& resumed)
 {
   Check(properties, data, dt);
+  if (!this->HasArrived)
+  {
+    this->Stop();
+  }
   if (resumed.empty())
   {
     this->Times.push_back(this->FindNextTime(properties, dt));

@@ -34,17 +34,24 @@ public:
   bool AreConnected() const;
 
   // Makes the data the newest frame, dt [pipeline time] after the previous frame, and connects port
-  // 0 to the frames. The first frame is at StartTime. resumed: times of a loaded state, of which
-  // the last becomes the time of the data; otherwise empty. Shares the data's arrays. Throws
-  // std::invalid_argument for invalid data or dt, and with EQUILIBRIUM; then changes nothing.
+  // 0 to the frames. The first frame is at StartTime, and so is the next one if the surface has not
+  // reached the first. resumed: times of a loaded state, of which the last becomes the time of the
+  // data; otherwise empty. Throws std::invalid_argument for invalid data or dt, and with
+  // EQUILIBRIUM; then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt,
     const std::vector<double>& resumed = {});
+  // Has to be called when the surface has reached the newest frame.
+  void Arrive() { this->HasArrived = true; }
   // Removes the newest frame; the previous frame becomes the newest again.
   void Withdraw();
   // Makes the newest frame the first one.
   void ForgetPast() { this->Times = { this->Times.back() }; }
   // Discards all times; the next frame becomes the first one.
-  void Stop() { this->Times.clear(); }
+  void Stop()
+  {
+    this->Times.clear();
+    this->HasArrived = false;
+  }
 
 private:
   double FindNextTime(const SurfaceProperties& properties, double dt);
@@ -55,6 +62,7 @@ private:
   vtkSmartPointer<vtkDataObject> Newest;
   vtkSmartPointer<vtkDataObject> Before;
   std::vector<double> Times;
+  bool HasArrived = false; // at a frame since the first one
 };
 
 }

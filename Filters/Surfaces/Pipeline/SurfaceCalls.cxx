@@ -34,10 +34,6 @@ vtkGridPotential* SurfaceRequests::GetSkinFunction()
 void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
 {
   this->Update.Refuse("Advance");
-  if (!this->Simulation.HasBegun()) // before a first frame is accepted, or after a reset
-  {
-    this->Pushed.Stop();
-  }
   if (data && this->Target.IsConnected() && !this->Pushed.AreConnected())
   {
     this->Target.Check(data); // rejected data must not replace another input

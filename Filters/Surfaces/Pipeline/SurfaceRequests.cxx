@@ -9,6 +9,7 @@
 #include "Ranks/RankedPipeline.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -205,8 +206,7 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // If both ports have the same source, this source is requested at the target's time. When the
-  // initial shape is needed, that time is the first time step, unless the last update failed.
+  // If both ports have the same source, this source is requested at the target's time.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -256,11 +256,16 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
 {
   const MTimesAfterwards afterwards(*this);
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
+  vtkInformation* target = Get(input, SurfaceInput::Target);
   if (initial && this->Simulation.WantsInitial())
   {
+    if (initial == target && !this->Steps.IsAtFirst() && !this->Initial.UpdateFirst(initial))
+    {
+      throw std::runtime_error("The update of the input failed at its first time step; see the "
+                               "error of the input.");
+    }
     this->Simulation.SetInitial(this->Initial.Read(initial));
   }
-  vtkInformation* target = Get(input, SurfaceInput::Target);
   this->SettleSpacing(target);
   this->Steps.AddRequested(target);
   const bool mayGoBack =
@@ -308,6 +313,7 @@ void SurfaceRequests::AgreeOnRequest(
 void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
 {
   if (target && this->Ranks.GetRank() == 0 &&
+    !vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(target)) &&
     !target->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) && !target->Has(SDDP::WHOLE_EXTENT()))
   {
     this->Simulation.Warn("no pieces",
@@ -345,6 +351,7 @@ void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInform
   this->Simulation.SetLimits(properties.Limits);
   if (this->Advance(input))
   {
+    this->Pushed.Arrive();
     this->Outputs.Fill(properties, this->Simulation, request, output);
   }
   else

@@ -49,6 +49,7 @@ void TargetSteps::Request(vtkInformation* target)
   const bool isStillAndFailed =
     this->LastUpdateFailed && !inputs.TargetMoves && inputs.InputSteps.size() > 1;
   this->Requested = isReady ? missing : this->FindStepBeside(missing);
+  this->RequestedFirst = inputs.TargetMoves ? this->Requested == 0 : !isStillAndFailed;
   this->LastUpdateFailed = true;
   this->Target.RequestFirst(target);
   if (inputs.TargetMoves)

@@ -29,6 +29,9 @@ public:
   // inputs are requested.
   void Request(vtkInformation* target);
 
+  // Returns true if Request has requested the first time step.
+  bool IsAtFirst() const { return this->RequestedFirst; }
+
   // Adds the requested step to the simulation if that step is still missing. target: null if there
   // is no input.
   void AddRequested(vtkInformation* target);
@@ -57,6 +60,7 @@ private:
   SurfaceInput& Target;
   SurfaceSimulation& Simulation;
   int Requested = NoStep;        // step of the simulation
+  bool RequestedFirst = false;   // time step of the input
   bool LastUpdateFailed = false; // or has not returned yet
 };
 

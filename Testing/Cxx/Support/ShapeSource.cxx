@@ -72,6 +72,7 @@ vtkTypeBool ShapeSource::ProcessRequest(
   else if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     this->Execute(out);
+    return this->Failing ? 0 : 1;
   }
   return 1;
 }

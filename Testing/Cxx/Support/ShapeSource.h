@@ -30,6 +30,8 @@ public:
   using Shape = std::function<vtkSmartPointer<vtkDataSet>(double time)>;
   /** `steps`: time steps to publish. If empty, the source publishes no time. */
   void SetShape(const Shape& shape, const std::vector<double>& steps = {});
+  /** While set, executions fail. */
+  void SetFailing(bool failing) { this->Failing = failing; }
 
   /** Times of all executions, in order. */
   std::vector<double> Executions;
@@ -49,6 +51,7 @@ private:
 
   Shape Shapes;
   std::vector<double> Steps;
+  bool Failing = false;
 };
 
 vtkSmartPointer<ShapeSource> MakeSource(

@@ -4,12 +4,19 @@
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 #include "Support/PriorAccess.h"
+#include "Support/ShapeSource.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -158,6 +165,69 @@ TEST(TestInSitu, AStillInputThatBeginsToMoveStartsAnewIfTheSkinHasMoved)
   source->SetSteps({ 0.5, 1.0 });
   filter->UpdateTimeStep(1.0);
   EXPECT_TRUE(GetAllBytes(filter) == RunAfterwards()[1]) << "the skin of a finished simulation";
+}
+
+// A ball that moves by 0.1 per frame.
+vtkSmartPointer<vtkImageData> MakeFrame(int i)
+{
+  return MakeBallImage(0.5, 0.1 * i - 0.2);
+}
+
+std::vector<std::string> PushImages(const std::function<vtkDataObject*(int)>& frame)
+{
+  auto filter = MakeSkin();
+  std::vector<std::string> skins;
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_TRUE(filter->Advance(frame(i), 0.2)) << "frame " << i;
+    skins.push_back(GetAllBytes(filter));
+  }
+  return skins;
+}
+
+// The simulation overwrites the values of one image, which may be a block.
+TEST(TestInSitu, AnImageMayBeWrittenOver)
+{
+  vtkSmartPointer<vtkImageData> newest;
+  const auto expected = PushImages([&](int i) { return newest = MakeFrame(i); });
+  EXPECT_FALSE(expected[3] == expected[1]) << "the skin moves";
+  auto image = MakeFrame(0);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  for (vtkDataObject* frame :
+    { static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(blocks) })
+  {
+    const auto overwrite = [&](int i)
+    {
+      vtkDataArray* values = image->GetPointData()->GetScalars();
+      const auto others = MakeFrame(i);
+      values->InsertTuples(0, values->GetNumberOfTuples(), 0, others->GetPointData()->GetScalars());
+      return frame;
+    };
+    EXPECT_TRUE(PushImages(overwrite) == expected) << frame->GetClassName();
+  }
+}
+
+// A restart forgets the past, not the time.
+TEST(TestInSitu, TimeGoesOnAfterARestart)
+{
+  for (const int calls : { 0, 1, 2 })
+  {
+    auto filter = MakeSkin();
+    filter->SetStartTime(3.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_TRUE(filter->Advance(MakeFrame(i), 0.5)) << "frame " << i;
+    }
+    filter->SetTension(0.001);
+    for (int i = 0; i < calls; ++i)
+    {
+      filter->UpdateInformation();
+    }
+    EXPECT_TRUE(filter->Advance(MakeFrame(3), 0.5)) << "the next frame";
+    vtkInformation* skin = filter->GetOutput()->GetInformation();
+    EXPECT_EQ(skin->Get(vtkDataObject::DATA_TIME_STEP()), 4.5) << calls << " requests";
+  }
 }
 
 // The alternative of VTK 9.4 and later. No time is requested twice, whatever the user does.

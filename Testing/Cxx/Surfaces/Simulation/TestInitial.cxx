@@ -5,6 +5,7 @@
 #include "Support/SameSkins.h"
 #include "Support/ShapeSource.h"
 
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -199,6 +200,40 @@ TEST(TestInitial, OneSourceMayBeBoth)
   const auto bounds = GetSkinBounds(both);
   const double centre = 0.5 * (bounds[0] + bounds[1]);
   EXPECT_NEAR(centre, 0.2 - 0.1 * (1.0 - std::exp(-2.0)), 0.5 * VoxelSize) << "centre";
+}
+
+// After a failure the pipeline requests another step, because VTK would not repeat the failed
+// request. The initial shape is that of the first step nevertheless.
+TEST(TestInitial, OneSourceMayBeBothAfterAFailure)
+{
+  const auto make = [] {
+    return MakeSource([](double t) { return MakeBallMesh(0.5 + 0.1 * t); }, { 0, 1, 2 });
+  };
+  const auto over = [](ShapeSource* source, int mode)
+  {
+    auto filter = MakeShrinking(source);
+    filter->SetTargetFunction(nullptr);
+    filter->SetInputConnection(0, source->GetOutputPort());
+    filter->SetAttraction(0.0);
+    filter->SetEvolutionMode(mode);
+    return filter;
+  };
+  for (const int mode :
+    { vtkActiveImplicitSurface::TRANSIENT, vtkActiveImplicitSurface::EQUILIBRIUM })
+  {
+    auto source = make(), good = make();
+    auto filter = over(source, mode), expected = over(good, mode);
+    source->SetFailing(true);
+    MessageCapture messages(filter->GetExecutive());
+    MessageCapture ofSource(source->GetExecutive());
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points after the failure";
+    source->SetFailing(false);
+    filter->Update();
+    expected->Update();
+    CheckBall(expected, 0.5, Tolerance, "of the first step");
+    EXPECT_TRUE(GetBytes(filter) == GetBytes(expected)) << "the same skin";
+  }
 }
 
 // Bounds of a mesh of width 1.2 with a quarter of its width added: 1.5.
