@@ -19,9 +19,15 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
 class Failing(Particles):
-    """Source that fails at a step on a rank while `fails` is set."""
+    """Source that fails at a step on a rank while `fails` is set, or knows no times."""
 
     fails = False
+    knows_no_times = False
+
+    def RequestInformation(self, request, inputs, outputs):
+        if self.knows_no_times:
+            return 0
+        return super().RequestInformation(request, inputs, outputs)
 
     def RequestData(self, request, inputs, outputs):
         if self.fails and outputs.GetInformationObject(0).Get(Pipeline.UPDATE_TIME_STEP()) == 3.0:
@@ -49,6 +55,18 @@ def failing_step(ranks, keeper, folder):
     keeper.update("failed_3", surface, 3)
     source.fails = False
     keeper.update("mended_3", surface, 3)
+
+
+@run
+def failing_information(ranks, keeper, folder):
+    """The times are unknown on rank 1, then known."""
+    source, surface = make_failing(ranks)
+    source.fails = False
+    source.knows_no_times = ranks.rank == 1
+    keeper.update("unknown_2", surface, 2)
+    source.knows_no_times = False
+    source.Modified()  # otherwise VTK does not repeat the request
+    keeper.update("known_2", surface, 2)
 
 
 @run

@@ -187,6 +187,17 @@ class Ranks(unittest.TestCase):
                 self.assert_same(folder, size, "mended_4", expected)
                 self.assert_same(folder, size, "mended_3", expected)
 
+    def test_information_that_fails_on_one_rank(self):
+        expected = self.folder()
+        start(0, "failing_information", expected)
+        for size in (2, 3):
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                start(size, "failing_information", folder)
+                words = (f"On rank 1 of {size}: The update of an input failed",)
+                self.assert_failed(folder, "unknown_2", size, *words)
+                self.assert_same(folder, size, "known_2", expected)
+
     def test_where_one_rank_is_killed_all_end(self):
         for size in (2, 3):
             with self.subTest(ranks=size):

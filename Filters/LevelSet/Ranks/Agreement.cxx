@@ -120,7 +120,7 @@ bool Agreement::GoOn(bool own) const
 void Agreement::Fail(const std::string& sentence) const
 {
   this->Ranks->AllGather(Failed);
-  this->ThrowTogether(sentence);
+  this->ThrowTogether(sentence.empty() ? "An error without a description occurred." : sentence);
 }
 
 void Agreement::FailForMemory() const

@@ -2,6 +2,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
+#include "vtkInformationRequestKey.h"
 #include "vtkObjectFactory.h"
 
 namespace activesurface
@@ -20,7 +21,7 @@ void RankedPipeline::SetIsOneOfMany(vtkAlgorithm* algorithm, bool isOneOfMany)
 bool RankedPipeline::HaveInputsFailed(vtkAlgorithm* algorithm)
 {
   const auto pipeline = SafeDownCast(algorithm->GetExecutive());
-  return pipeline && (pipeline->InformationFailed || pipeline->DataFailed);
+  return pipeline && !pipeline->Failed.empty();
 }
 
 int RankedPipeline::ForwardUpstream(vtkInformation* request)
@@ -30,12 +31,18 @@ int RankedPipeline::ForwardUpstream(vtkInformation* request)
   {
     return isDone;
   }
-  const bool isForData = request->Has(REQUEST_DATA()) || request->Has(REQUEST_UPDATE_EXTENT());
-  bool& hasFailed = isForData ? this->DataFailed : this->InformationFailed;
-  // Requests come in pairs: UPDATE_EXTENT before DATA, and DATA_OBJECT before INFORMATION. A
-  // failure of the first request is kept during the second.
-  const bool isSecond = request->Has(REQUEST_DATA()) || request->Has(REQUEST_INFORMATION());
-  hasFailed = !isDone || (isSecond && hasFailed);
+  for (vtkInformationRequestKey* kind : { REQUEST_DATA_OBJECT(), REQUEST_INFORMATION(),
+         REQUEST_UPDATE_TIME(), REQUEST_UPDATE_EXTENT(), REQUEST_DATA() })
+  {
+    if (request->Has(kind))
+    {
+      this->Failed.erase(kind);
+      if (!isDone)
+      {
+        this->Failed.insert(kind);
+      }
+    }
+  }
   return 1;
 }
 

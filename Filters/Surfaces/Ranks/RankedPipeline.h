@@ -7,6 +7,10 @@
 
 #include "vtkCompositeDataPipeline.h"
 
+#include <set>
+
+class vtkInformationRequestKey;
+
 namespace activesurface
 {
 
@@ -20,7 +24,7 @@ public:
   // its superclass does. Does nothing for an algorithm with another executive.
   static void SetIsOneOfMany(vtkAlgorithm* algorithm, bool isOneOfMany);
 
-  // Returns true if the inputs failed at their last request; false for another executive.
+  // Returns true if the inputs failed at the last request of any kind; false for another executive.
   static bool HaveInputsFailed(vtkAlgorithm* algorithm);
 
 protected:
@@ -35,8 +39,7 @@ private:
   void operator=(const RankedPipeline&) = delete;
 
   bool IsOneOfMany = false;
-  bool InformationFailed = false;
-  bool DataFailed = false;
+  std::set<vtkInformationRequestKey*> Failed; // kinds of requests whose last one failed
 };
 
 }
