@@ -112,15 +112,15 @@ TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
-// Attraction 1 is below 2 per step, so this motion has explicit substeps too, and the skin lags.
-// Times are between two steps, at a step, and at the last one, where the preceding interval counts.
+// Attraction 3 is above 2 per step, so the motion is on nodes, with Transport. Times are between
+// two steps, at a step, and at the last one, where the preceding interval counts.
 TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
     [](double time) {
       return std::vector<Grain>{ { 0.2 * time - 0.4, 0.0, 0.0, 1, 0.0 } };
     });
-  filter->SetAttraction(1.0);
+  filter->SetAttraction(3.0);
   filter->SetTimeIntegrationToAutomatic();
   for (const double time : { 2.5, 3.0 })
   {
