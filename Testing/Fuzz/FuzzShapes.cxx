@@ -59,7 +59,7 @@ void SetProperties(FuzzInput& input, SurfaceSettings& settings)
   settings.Inputs.TargetMoves = true;
   settings.Inputs.Steps = { 0.0, 1.0 };
   settings.VoxelSize = 0.5;
-  settings.Particles.Model = static_cast<ParticleModel>(choices % 3);
+  settings.Particles.Model = static_cast<ParticleModel>(choices % 2);
   settings.Particles.Spacing = choices & 4 ? 0.4 : Automatic;
   settings.MeshThickness = choices & 8 ? 0.5 : 0.0;
   settings.Attraction = 1.0;
