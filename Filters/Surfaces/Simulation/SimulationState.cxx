@@ -106,7 +106,7 @@ void SurfaceSimulation::UseLoadedDomain()
   }
 }
 
-// Requires StartTarget, which prepares the first frame for the voxel size of the domain.
+// Call after StartTarget, which prepares the first frame with the domain's voxel size.
 void SurfaceSimulation::RestoreLoaded()
 {
   const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });

@@ -194,7 +194,7 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """Counts points or cells of each label except 0; {} if over 100, or not whole numbers."""
+    """Counts points or cells of each label except 0; {} for over 100 labels, or fractions."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:
