@@ -47,13 +47,14 @@ _SAMPLED = 40  # lines searched for the header and for the types of columns
 
 
 class _Form(NamedTuple):
-    """Format of a table; `columns` are the indices of the columns of numbers."""
+    """Format of a table: `width` columns; `columns` are the indices of the columns of numbers."""
 
     separator: str | None
     names: list[str]
     start: int
     has_commas: bool = False
     columns: Sequence[int] = ()
+    width: int = 0
 
 
 def read_table(text: str) -> Frames:
@@ -212,18 +213,19 @@ def _find_numbers(lines: list[str]) -> _Form:
 
 
 def _examine(lines: list[str], form: _Form) -> _Form:
-    """Completes the format: decimal mark, and columns of numbers."""
+    """Completes the format: decimal mark, columns of numbers, and width."""
     rows = [_split(lines[i], form.separator) for i in _rows(lines, form.start)]
     cells = [cell for row in rows for cell in row]
     has_commas = any(map(_DECIMAL_COMMA.fullmatch, cells)) and not any(
         "." in cell and number(cell, False) is not None for cell in cells
     )
     columns = []
-    for i in range(len(form.names or (rows[0] if rows else ()))):
+    width = len(form.names or (rows[0] if rows else ()))
+    for i in range(width):
         held = [row[i] for row in rows if len(row) > i and row[i] not in _MISSING]
         if not held or number(held[0], has_commas) is not None:
             columns.append(i)
-    return form._replace(has_commas=has_commas, columns=columns)
+    return form._replace(has_commas=has_commas, columns=columns, width=width)
 
 
 def _load(lines: list[str], form: _Form) -> Any:
@@ -231,7 +233,7 @@ def _load(lines: list[str], form: _Form) -> Any:
     rows = lines[form.start :]
     if not _rows(rows, 0):
         return numpy.zeros((0, len(form.columns)))
-    is_whole = not form.names and form.columns == list(range(len(form.columns)))
+    is_whole = not form.names and form.columns == list(range(form.width))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         try:
@@ -252,11 +254,11 @@ def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: ty
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     """Slower fallback of `_load`: accepts empty cells, and names the line of the first error."""
-    table, width = [], len(form.names) or max(form.columns) + 1
+    table, which = [], "the header" if form.names else "the first"
     for place, cells in _cells_of(lines, form):
-        if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
+        if len(cells) <= max(form.columns) or (is_whole and len(cells) > form.width):
             raise ValueError(
-                f"line {place} has {len(cells)} column(s), other lines {width}; fix it"
+                f"line {place} has {len(cells)} column(s), {which} {form.width}; fix it"
             )
         values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:

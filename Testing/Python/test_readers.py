@@ -54,6 +54,7 @@ class Tables(ReaderTest):
             "separator at the end of the header": "x,y,z,\n0.5,1.25,-2\n1.5,2.25,3\n",
             "Fortran": "x y z\n5.0D-1 1.25d0 -2.\n0.15D+1 2.25 3\n",
             "numbers of rows, no header": "0,0.5,1.25,-2\n1,1.5,2.25,3\n2,NaN,NaN,NaN\n",
+            "texts at the end, no header": "0.5 1.25 -2 a\n1.5 2.25 3 b\n",
             "UTF-16": "x;y;z\n0.5;1.25;-2\n1.5;2.25;3\n".encode("utf-16"),
             "Latin-1": "x;y;z;µ\n0.5;1.25;-2;1\n1.5;2.25;3;1\n".encode("latin-1"),
         }
