@@ -561,7 +561,7 @@ public:
   /** Time at which the skin reaches a static target [pipeline time after the first time step], to
    * about 0.1 voxel: for morphs. Thin limbs grow along their length; with CreateParts, separate
    * parts grow from a core. An error with a moving input, with NormalizeTarget off, or with
-   * PaperScheme. No effect with EQUILIBRIUM. Range: >= 0; 0: no arrival. Default: 0. */
+   * the paper's scheme. No effect with EQUILIBRIUM. Range: >= 0; 0: no arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
