@@ -17,6 +17,7 @@ import numpy
 from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import write_mesh
 from command_line import CommandTest, grid, moving_grid
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData,
@@ -93,6 +94,16 @@ class Programs(CommandTest):
         rows = list(csv.DictReader(io.StringIO(self.succeed("info", "c_*.vtp", "--csv").out)))
         self.assertEqual([float(row["area"]) for row in rows], [6, 24, 54])
         self.assertEqual(rows[2]["open_edges"], "0")
+        both = cube(1)
+        labels = numpy_to_vtk(numpy.full(both.GetNumberOfPoints(), 3), deep=1)
+        labels.SetName("label")
+        both.GetPointData().AddArray(labels)
+        write_mesh(self.folder / "l.vtp", both)
+        command = ("info", "l.vtp", "--csv", "--label")
+        rows = list(csv.DictReader(io.StringIO(self.succeed(*command, "all").out)))
+        self.assertEqual([(row["label"], float(row["area"])) for row in rows], [("3", 6)])
+        rows = list(csv.DictReader(io.StringIO(self.succeed(*command, "3,4").out)))
+        self.assertEqual([(row["label"], float(row["area"])) for row in rows], [("3", 6), ("4", 0)])
         numpy.savetxt("p.csv", grid(), delimiter=",", header="x,y,z", comments="")
         self.assertIn(
             "meshes and images are read from", self.fail_with(1, "info", "p.csv", "--csv")

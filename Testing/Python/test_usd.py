@@ -68,7 +68,16 @@ class Films(CommandTest):
         from pxr import Usd, UsdGeom
 
         for scale in (0.5, 2):
-            arguments = ("--fps", 25, "--time-scale", scale, "-o", "film.usdc")
+            arguments = (
+                "--times",
+                "0,0.04,0.08,0.12",
+                "--fps",
+                25,
+                "--time-scale",
+                scale,
+                "-o",
+                "film.usdc",
+            )
             self.succeed("skin", "p.npz", *COMMON, *arguments)
             stage = Usd.Stage.Open("film.usdc")
             mesh = UsdGeom.Mesh(stage.GetDefaultPrim())

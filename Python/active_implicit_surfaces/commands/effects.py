@@ -24,7 +24,7 @@ _MOTION = "series evolution_mode=equilibrium volume_control=exact area_control=e
 _ACTING = (  # rows, and their options and (after a colon) properties
     ("render", "size no_ground"),
     ("render glb usd", "up"),
-    ("no_times render", "fps"),
+    ("no_times render usd", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
     ("particles", "ids strengths velocities preset periodic :tangential_velocity"),

@@ -46,7 +46,7 @@ def run(arguments: list[str]) -> int:
         found[f"label {label}"] = describe(options.files, where, label)
     frames = expand(options.files, INPUT_SUFFIXES).frames
     if options.csv:
-        _print_csv(_measure_all(frames, where))
+        _print_csv(_measure_all(frames, where, labels))
         return 0
     found = found or describe(options.files, where)
     if len(frames) > 1 and found.get("holds") == "a mesh":
@@ -179,17 +179,23 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
     }
 
 
-def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
-    """Returns the measures of each of several meshes."""
+def _measure_all(
+    frames: list[tuple[Path, ...]], where: Sequence[str], labels: Sequence[int] = ()
+) -> list[dict[str, Any]]:
+    """Returns the measures of each of several meshes, or of each label of each mesh."""
     found, note = [], note_once() if len(frames) > 1 else None
     for file, *parts in frames:
-        mesh = choose(read_shape(file, parts=parts), where, note=note)
-        if mesh.IsA("vtkImageData"):
+        shape = read_shape(file, parts=parts)
+        if shape.IsA("vtkImageData"):
             raise OSError(
                 f"{file} is an image, but only meshes are measured; convert it to a mesh, or "
                 "leave it out."
             )
-        found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})
+        for label in labels or (None,):
+            mesh = choose(shape, where, label, note=note)
+            own = {} if label is None else {"label": label}
+            points = mesh.GetNumberOfPoints()
+            found.append({"file": str(file), **own, "points": points, **measure(mesh)})
     return found
 
 
