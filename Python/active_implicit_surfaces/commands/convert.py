@@ -127,7 +127,7 @@ def make_parser() -> Parser:
     parser = Parser(
         "active-surface convert",
         "FILE ... -o NAME [options]",
-        "Meshes, level sets and images to meshes and .vdb; particles to particles.\n"
+        "Converts meshes, level sets and images to meshes and .vdb, particles to particles.\n"
         + wrapped(f"Meshes and images from {', '.join(MESH_SUFFIXES)} to {', '.join(_MESHES)};")
         + "\n"
         + wrapped(
@@ -148,8 +148,8 @@ def make_parser() -> Parser:
         "--level",
         type=float,
         metavar="X",
-        help="value at the surface of an image (default: distance 0, fog and fractions 0.5, "
-        "mask half-way)",
+        help="value at the surface of an image (default: 0 of distances, 0.5 of fog and fractions, "
+        "the middle of a mask's two values)",
     )
     add_choice_options(parser)
     add_up_option(parser, "estimated; y in a .usdc", "in a .glb or .usdc")

@@ -1,4 +1,4 @@
-"""Rejects options without effect in a run, and says where they act; or only warns.
+"""Rejects options without effect in a run, naming where they act; warns if they need a series.
 
 A run has facts: words such as "render", and the value of each choice and switch of the filter, such
 as "particle_model=sum". An option has rows of facts: from _ACTING, and from the group and

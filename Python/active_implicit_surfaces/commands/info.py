@@ -200,7 +200,7 @@ def _measure_all(
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """Counts points or cells of each label except 0; {} for over 100 labels, or fractions."""
+    """Counts points or cells of each label except 0; {} if there are over 100, or fractions."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:

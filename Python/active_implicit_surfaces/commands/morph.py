@@ -74,7 +74,7 @@ def make_parser() -> Parser:
         type=positive,
         default=1.0,
         metavar="X",
-        help="time of the last skin: LAST, unless --attraction is given (default: 1)",
+        help="time of the last skin, which is LAST unless --attraction is given (default: 1)",
     )
     parser.add_argument(
         "--frames",

@@ -56,8 +56,8 @@ def each_label(
     labels = find() if options.labels == "all" else options.labels
     if not labels:
         raise OSError(
-            "--label all has found no label (in images 0 is none); give numbers, as --label 3, or "
-            "leave --label out."
+            "--label all has found no label (0 in an image is none); give numbers, as --label 3, "
+            "or leave --label out."
         )
     for label in labels:
         own = Namespace(**vars(options), label=label)

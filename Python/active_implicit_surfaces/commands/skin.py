@@ -1,4 +1,4 @@
-"""active-surface skin: skins over a series of particle files."""
+"""active-surface skin: skins over a series of particles or images."""
 
 from __future__ import annotations
 
@@ -147,9 +147,9 @@ def make_parser() -> Parser:
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
-            "Skins over particles or images: one for each frame, each evolved from the previous. "
-            f"Files: {' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, a folder, "
-            "a .series or a .pvd are a series."
+            "Makes skins over particles or images: one for each frame, usually evolved from the "
+            f"previous. Files: {' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, "
+            "a folder, a .series or a .pvd are a series."
         ),
         epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option, such as "
         "--particle-model sum (list: --help-properties).",

@@ -52,7 +52,9 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
 
 
 def lie(low: Any, high: Any, mean: Any) -> str:
-    """Returns y or z: the axis of the clearly lower mean; else y, if the box is flatter; else z."""
+    """Returns y or z, the axis along which the mean is clearly lower in the box; if there is none,
+    returns y if the box is clearly shorter along y, else z.
+    """
     sides = high - low
     place = (mean - low) / numpy.maximum(sides, 1e-300)
     if abs(place[1] - place[2]) >= _LOWER:
