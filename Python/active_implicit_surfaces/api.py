@@ -290,7 +290,7 @@ def _settle_spacing(
 
 
 def _describe_lengths(surface: Any, own: float) -> list[str]:
-    """Returns a warning if spacing or kernel radius do not fit `own`, the estimated spacing."""
+    """Returns a warning if spacing or kernel radius does not fit `own`, the estimated spacing."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [

@@ -1,4 +1,4 @@
-"""Atoms of .xyz, .gro and .pdb files: columns, elements, their radii."""
+"""Reads atoms from .xyz, .gro and .pdb files; adds elements and the elements' radii."""
 
 from __future__ import annotations
 
@@ -140,9 +140,9 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Adds atomic numbers, radii and elements as texts, unless no symbol has a known radius.
+    """Adds atomic numbers, radii and element symbols, unless no symbol has a known radius.
 
-    Symbols are elements, or atom names if `are_names` is true or by the rule of _elements_of.
+    Symbols are read as atom names if `are_names` is true; else _elements_of decides.
     `unit` is one Angstrom in the unit of the positions.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
@@ -177,8 +177,8 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     """Returns the atomic number of each symbol, 0 if unknown.
 
-    Symbols are read as atom names if one symbol is a name but no element (CB, OW), or if the
-    symbols are only CA, or include CA, C and N: the backbone of a protein.
+    Symbols are read as atom names if any symbol is a name but no element (CB, OW), or if the
+    symbols fit the backbone of a protein: only CA, or CA, C, N and any others.
     """
     letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
@@ -234,7 +234,7 @@ def _guess(name: str, table: Any) -> str:
 
 
 def read_gro(path: Path) -> Frames:
-    """Reads the frames of a .gro [nm]; times: `t=` of the titles, if in all and increasing."""
+    """Reads the frames of a .gro [nm]; times are `t=` of the titles, if all have it, increasing."""
     lines = path.read_text(encoding="latin-1").splitlines()
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
@@ -243,8 +243,8 @@ def read_gro(path: Path) -> Frames:
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
             raise ValueError(
-                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}; "
-                "write it again"
+                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}, or "
+                "no box after them; write it again"
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1][FIELD] = _edges_of(lines[end])
@@ -328,7 +328,7 @@ def _read_pdb_frame(lines: dict[int, str]) -> Frame:
 
 
 def _cell_of(cell: Any) -> Frame:
-    """Returns the edges of a cell by CRYST1 (lengths, angles); {} if all lengths are 1: no cell."""
+    """Returns edges from CRYST1 (lengths, angles); {} if all lengths are 1, a mark for no cell."""
     (a, b, c), (cos_bc, cos_ac, cos_ab) = cell[:3], numpy.cos(numpy.radians(cell[3:]))
     sine = max(1e-9, math.sqrt(max(0.0, 1 - cos_ab**2)))
     slant = (cos_bc - cos_ac * cos_ab) / sine
@@ -338,7 +338,7 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name in capitals, but like Na if equal to the residue's name: an ion."""
+    """Returns an atom's name in capitals; for an ion, whose residue has the same name, like Na."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 

@@ -1,4 +1,4 @@
-"""Selects particles or polygons by conditions or labels, clusters by size, a label of an image.
+"""Selects particles and polygons by conditions or labels, clusters by size, a label of an image.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice
@@ -218,11 +218,11 @@ def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image except 0, or all labels of particles or a mesh.
 
     Raises ValueError if particles or a mesh have no array "label" or "labels", a value is no
-    integer (NaN, infinity), or there are more than a thousand distinct values.
+    integer (a text, 1.5, NaN), or there are more than a thousand distinct values.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
-        raise ValueError("There are no labels: the values are texts; select by --where label=NAME.")
+        raise ValueError("There are no labels: the values are texts; select by --where NAME=TEXT.")
     if not are_whole(values):
         raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
     if len(values) > _MOST_LABELS:
@@ -278,7 +278,7 @@ def _labels_in(data: Any) -> Any:
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
-    """Removes the particles of clusters of fewer than `minimum` particles; keeps their order.
+    """Removes particles of clusters of fewer than `minimum` particles; the rest keep their order.
 
     Neighbours in a cluster are at most 1.5 spacings apart. Without a spacing, all particles stay.
     """

@@ -57,9 +57,9 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
     Mask (two values): midway between the values, inside above; if the lower value is negative,
-    inside is the value that is rarer at the image's border. Volume fractions (most are 0 or 1):
-    0.5, inside above. Other images: 0, inside below. A given `level` is returned unchanged; inside
-    is then above if above by these rules, or if most values at the border are below `level`.
+    inside is the value that is rarer at the image's border. Volume fractions (about 0 to 1, most
+    0 or 1): 0.5, inside above. Other images: 0, inside below. A given `level` is returned as it is;
+    inside is then above if above by these rules, or if most values at the border are below `level`.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)

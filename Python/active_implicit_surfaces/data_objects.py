@@ -32,7 +32,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
     """Returns points and their arrays as a vtkPolyData; shares the memory of arrays if possible.
 
     - particles (array (n, 3), vtkPointSet, or an object with `points` or `vertices`): all points
-      are used; cells are left out, and field data other than a periodic box.
+      are used; cells are left out, and so are field data other than a periodic box.
     - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
       "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
 
@@ -137,8 +137,8 @@ def is_vtk(thing: Any) -> bool:
         raise TypeError(
             f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
             f"which uses the package {vtk_build.PACKAGE}; use classes of that package. For "
-            "PyVista, set the environment variable PYVISTA_VTK_BACKEND (vtk for vtkmodules, else "
-            "cvista) before PyVista is imported."
+            "PyVista, set the environment variable PYVISTA_VTK_BACKEND (cvista for cvista, else "
+            "vtk) before PyVista is imported."
         )
     return False
 

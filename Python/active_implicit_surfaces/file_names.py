@@ -108,7 +108,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names have each pair of two numbers (one may count parts); else ""."""
+    """Returns a note if names combine two numbers in all pairs (one may count parts); else ""."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -265,7 +265,7 @@ def has_number(name: str | Path) -> bool:
 def numbered(name: str | Path, number: int) -> Path:
     """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    ## stands for at least two digits. A name without placeholder, skin.ply, gets skin_0007.ply.
+    ## stands for at least two digits. Without a placeholder, skin.ply becomes skin_0007.ply.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)

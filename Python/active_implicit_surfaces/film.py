@@ -24,7 +24,7 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 def check_film(path: Path) -> None:
     """Raises ValueError for an unknown format, OSError if ffmpeg (for .mp4) or a display is
-    missing, ImportError if VTK or this build lacks modules of `render` (for .exr).
+    missing, ImportError if VTK or this build lacks a module that `render` needs (for .exr).
     """
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:

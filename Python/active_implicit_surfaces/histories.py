@@ -141,6 +141,6 @@ def _matplotlib(part: str) -> Any:
         return importlib.import_module("matplotlib." + part)
     except ImportError as error:
         raise ImportError(
-            "Plots need matplotlib, which is not installed (Debian: python3-matplotlib); or give "
-            "plot_history axes of your own, or write the history as a .csv."
+            "Plots need matplotlib, which is not installed; install it (Debian: "
+            "python3-matplotlib), give plot_history axes of your own, or write a .csv."
         ) from error

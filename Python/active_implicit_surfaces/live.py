@@ -90,7 +90,7 @@ class LiveSurface:
             Wrong `dt`, value or array, or an error of the filter; the next call continues the
             motion.
         TypeError
-            Unknown key of `arrays`, or particles or a value of a wrong type.
+            Unknown key in `arrays` of the class, or particles or a value of a wrong type.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
