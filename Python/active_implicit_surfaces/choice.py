@@ -108,8 +108,8 @@ def choose(
 
     Data without points are returned as they are.
 
-    Raises ValueError also if there is no such array, if texts are compared with < or > or numbers
-    with texts, if an image has no such label, or if a condition is malformed or for an image.
+    Raises ValueError also if there is no such array, if < or > compares texts, if numbers are
+    compared with texts, if an image lacks the label, or a condition is malformed or for an image.
     """
     if (where or label is not None) and data.IsA("vtkPolyData") and data.GetNumberOfStrips():
         data = triangles_of(data)

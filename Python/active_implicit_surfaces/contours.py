@@ -114,8 +114,8 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
 def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
     """Returns a function that converts images of a series, by one rule from these `images`.
 
-    Masks (only two values occur in `images`) become labels, 1 inside; other images level sets,
-    negative inside. Raises ValueError like `level_of_series`.
+    Masks (only two values occur in `images`) become labels, 1 inside; other images become level
+    sets, negative inside. Raises ValueError like `level_of_series`.
     """
     own = [_at_pixels(one) for one in images]
     values = numpy.concatenate([values for _, values in own])

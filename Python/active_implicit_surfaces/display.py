@@ -21,7 +21,7 @@ def vtk_version() -> tuple[int, ...]:
 
 
 def find_display() -> None:
-    """Starts a virtual display if DISPLAY is not set and VTK ends the program without a display.
+    """Starts a virtual display if DISPLAY is not set and VTK would end the program without one.
 
     The display ends with the calling thread, so call find_display from a thread that stays alive.
 

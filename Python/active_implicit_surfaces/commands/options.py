@@ -235,7 +235,7 @@ def frame_range(text: str) -> tuple[int | None, int | None, int]:
         found = None, None, 0
     if found[2] < 1 or text.count(":") not in (1, 2):
         raise argparse.ArgumentTypeError(
-            f"{text} are no frames; write FIRST:LAST or FIRST:LAST:STEP, STEP 1 or more"
+            f"{text} are no frames; write FIRST:LAST or FIRST:LAST:STEP with a STEP of 1 or more"
         )
     return found
 
