@@ -24,7 +24,7 @@ def measure(mesh: Any) -> dict[str, Any]:
 
     Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; numbers of
     pieces (connected surfaces of positive volume), voids (of negative volume) and open edges (of
-    one polygon).
+    only one polygon).
     """
     places, numbers = numpy.unique(points_of(mesh), axis=0, return_inverse=True)
     places, fans = places.astype(float), [numpy.zeros((0, 3), int)]

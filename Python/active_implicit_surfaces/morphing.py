@@ -24,7 +24,7 @@ class morph(Skins):
 
     No point correspondence is needed: the surface moves along its normal, splits and merges. Unless
     ``attraction`` is given, each point of the surface moves at constant speed and arrives at the
-    end; parts of only one shape grow (not with ``create_parts=False``) or shrink.
+    end. Parts that only `a` has shrink; those of only `b` grow, unless ``create_parts=False``.
 
     Parameters
     ----------
@@ -57,8 +57,8 @@ class morph(Skins):
         A value is out of range, a shape is not usable, the filter reports an error (the text is the
         filter's message), or a skin is empty although `b` is not.
     TypeError
-        Unknown keyword (the text names a similar one, if any), a keyword that follows from duration
-        and frames, a shape or a value of a wrong type, or `fit` with a function.
+        Unknown keyword (the text names a similar one, if any), a keyword that duration and
+        frames replace, a shape or a value of a wrong type, or `fit` with a function.
 
     Warns
     -----
@@ -102,7 +102,7 @@ class morph(Skins):
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
         for name in _OF_DURATION & set(options):
-            raise TypeError(f"{name} is set by morph, from duration and frames; leave {name} out.")
+            raise TypeError(f"morph has duration and frames in place of {name}; leave {name} out.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames has to be a whole number of 2 or more, not {frames}.")
         if fit not in FITS:

@@ -25,9 +25,9 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
 
     The values appear in the panel, where the user can change them, and are saved in state files.
     Values depend on the particles at the first time step (radii, and the spacing unless Particle
-    Spacing is set), which are sent to the client, on the median time between two steps, and on Time
-    Scale. Properties that only other presets set return to their defaults, except a voxel size, a
-    kernel radius or a radius array set by the user.
+    Spacing is set), the median time between two steps, and Time Scale. The particles are sent to
+    the client. Properties that only other presets set return to their defaults, except a voxel
+    size, a kernel radius or a radius array set by the user.
 
     Parameters
     ----------
@@ -50,8 +50,8 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     proxy = simple.GetActiveSource() if surface is None else surface
     if proxy is None or proxy.GetXMLName() != "ActiveImplicitSurface":
         raise ValueError(
-            "The source is no Active Implicit Surface. Select an Active Implicit Surface over "
-            "particles in the Pipeline Browser."
+            "The source is no Active Implicit Surface; select one over particles in the Pipeline "
+            "Browser, or give one as surface."
         )
     target = proxy.Input
     times = [float(time) for time in proxy.TimestepValues] or [0.0]

@@ -90,7 +90,7 @@ class ParticleFiles:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        as `choose` does. In a series, a condition's value that no particle has only causes a
+        as `choose` does. In a series, a condition's value that no particle has causes only a
         warning, and images may lack the label.
         """
         data = self._loaders[step]()
@@ -134,7 +134,7 @@ def open_particles(
     if times is not None:
         if len(times) != len(loaders):
             raise ValueError(
-                f"There are {len(times)} times for {len(loaders)} frames; give one time for each."
+                f"There are {len(times)} times for {len(loaders)} frames; give one time per frame."
             )
         told = list(times)
     elif fps is not None or told is None:

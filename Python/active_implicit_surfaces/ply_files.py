@@ -108,7 +108,7 @@ def _doubles_of(text: bytes) -> bytes:
 def _read_element(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
-    """Returns the columns of an element, and its end's offset; fast if lists have equal lengths."""
+    """Returns an element's columns and the offset of its end; fast if list lengths do not vary."""
     if element.rows == 0:
         return {}, start
     first, _ = _read_row(content, start, order, element)

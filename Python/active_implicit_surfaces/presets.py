@@ -19,7 +19,7 @@ from .data_objects import finite_points, has_polygons, points_of
 PRESETS = {
     "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
     "molecule": "for atoms: balls that merge where they touch; radii from the elements, or --radii",
-    "grains": "for sand and beads that roll and pile: separate balls; radii by --radii or spacing",
+    "grains": "for piling sand and beads: separate balls; radii: --radii, array radius, or spacing",
     "paper": "the published scheme (kernels), for comparison: each particle is visible",
 }
 # The kernel WYVILL, (1 - q^2)^3, has the value ATOM_LEVEL at q = 0.7947. With kernels little larger

@@ -132,7 +132,7 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
         words = ", ".join(f"{word!r} ({number})" for number, word in enumerate(own.choices))
         raise ValueError(f"{own.keyword} is one of {words}, not {value!r}.")
     if kind != "object" and got != wanted and wanted == wanted:
-        limits = f"its range: {own.range}" if own.range else f"its range; the filter takes {got}"
+        limits = f"its range: {own.range}" if own.range else f"its range; the filter uses {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")
 
 

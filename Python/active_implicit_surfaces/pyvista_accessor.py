@@ -1,4 +1,4 @@
-"""Skins as methods of PyVista's data sets, which PyVista 0.48 or later finds in an installed wheel.
+"""Methods of PyVista's data sets for skins; PyVista 0.48 or later finds them in an installed wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh

@@ -130,7 +130,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return minimum
 
     def use_usual_level(self) -> None:
-        """Converts a series of masks to labels (1 inside), of other images to level sets (negative
+        """Converts images to labels (1 inside) if they are masks, else to level sets (negative
         inside), with one level for all, which follows from frames_that_tell().
 
         Particles are not changed. Raises ValueError if the images have several labels or no inside.
@@ -190,7 +190,7 @@ class ParticleSeries(TemporalSource):
     ------
     ValueError
         Times do not increase, or are not one for each frame; times and fps are both given; no frame
-        is given; a condition is malformed.
+        is given; fps is out of range; a condition is malformed.
     TypeError
         A callable is given without times, or frames have a wrong type.
     OSError

@@ -34,7 +34,7 @@ _WHOLE = ("id", "type", "mol", "proc", "ix", "iy", "iz")
 
 
 def read_bgeo(path: Path) -> Frames:
-    """Reads points and attributes of Houdini's classic format, used by partio, SPlisHSPlasH."""
+    """Reads points and attributes of Houdini's classic format, used by partio and SPlisHSPlasH."""
     content = path.read_bytes()
     try:
         content = gzip.decompress(content) if content[:2] == b"\x1f\x8b" else content

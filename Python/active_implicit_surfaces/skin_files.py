@@ -151,7 +151,7 @@ def _surface_in(path: Path) -> Any:
 def holds_particles(path: Path) -> bool | None:
     """Returns True for particles, False for a mesh or image, None for no points.
 
-    Particles: a vtkPolyData without polygons, from a .vdb also without points, or another point set
+    Particles: a vtkPolyData without polygons (of a .vdb even without points), or another point set
     whose cells are vertices. If the extension allows only particles, or only meshes and images, the
     file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
     """

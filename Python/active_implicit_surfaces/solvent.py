@@ -233,7 +233,7 @@ def _neighbours(centers: Any, radii: Any) -> list[Any]:
 
 
 def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
-    """Yields the arcs where a ball meets balls of higher index and which no other ball covers.
+    """Yields the arcs, uncovered by other balls, where a ball meets balls of higher index.
 
     An arc has a centre, a radius, half of its angle, and three axes as rows: towards the middle of
     the arc, across the first axis in the plane of the circle, and normal to the plane.
@@ -269,7 +269,7 @@ def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
 
 
 def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, Any]:
-    """Returns the gaps of circles that no ball covers: row (circle), start and end in [0, 2 pi]."""
+    """Returns the uncovered arcs of circles: row (index of the circle), start, end in [0, 2 pi]."""
     with numpy.errstate(divide="ignore", invalid="ignore"):
         half = numpy.where(excess <= -scale, numpy.pi, numpy.arccos(excess / scale))
     starts = numpy.where(covers, (angles - half) % _TURN, 0.0)

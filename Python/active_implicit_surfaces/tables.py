@@ -254,11 +254,11 @@ def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: ty
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     """Slower fallback of `_load`: accepts empty cells, and names the line of the first error."""
-    table, which = [], "the header" if form.names else "the first"
+    table, which = [], "the header has" if form.names else "the first row has"
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > form.width):
             raise ValueError(
-                f"line {place} has {len(cells)} column(s), {which} {form.width}; fix it"
+                f"line {place} has {len(cells)} column(s), but {which} {form.width}; fix it"
             )
         values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:

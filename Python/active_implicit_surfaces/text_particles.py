@@ -69,7 +69,7 @@ def read_xyz(path: Path) -> Frames:
 
 
 def read_json(path: Path) -> Frames:
-    """Reads a list of positions, or an object of arrays with "positions", or rows with x, y, z."""
+    """Reads a list of positions, an object of arrays, or a list of objects with x, y and z each."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list) and data and all(isinstance(row, dict) for row in data):
         data = {name: [row.get(name) for row in data] for name in data[0]}  # one row per dictionary
@@ -138,7 +138,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     positions = arrays[found]
     positions = positions.reshape(0, 3) if positions.shape == (0,) else positions
     if positions.dtype.kind not in "iuf":
-        raise ValueError(f'its array "{found}" holds values that are not numbers; write numbers')
+        raise ValueError("its positions have values that are not numbers; write numbers only")
     if positions.ndim not in (2, 3) or positions.shape[-1] != 3:
         raise ValueError(
             f'its array "{found}" has the shape {positions.shape}; positions need the shape (n, 3) '

@@ -134,7 +134,7 @@ class UsdFilm(Sink):
         return origin
 
     def _add_primvar(self, name: str, values: Any, time: float) -> None:
-        """Sets a vertex array of integers, floats, vectors, or more components."""
+        """Sets a vertex array as a primvar: integers, floats, vectors, or rows of another width."""
         from pxr import Sdf, UsdGeom, Vt
 
         kind, array, wide = Sdf.ValueTypeNames.FloatArray, Vt.FloatArray, values.shape[1]

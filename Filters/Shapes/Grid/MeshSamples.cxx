@@ -58,8 +58,8 @@ void CheckMesh(const MeshTriangles& mesh)
   {
     throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
         ? "The mesh has no valid polygon; correct it. " + mesh.Defects.Describe()
-        : std::string("The mesh has no polygons, and no triangles of strips with three different "
-                      "points; connect a closed mesh."));
+        : std::string("The mesh has no polygons, and no strip that has a triangle of three "
+                      "different points; connect a closed mesh."));
   }
   if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
