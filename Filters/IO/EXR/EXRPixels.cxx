@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 
 namespace activesurface
@@ -78,10 +80,13 @@ const char* NameOf(EXRPixel type)
 template <class Value>
 [[noreturn]] void RefuseValue(const EXRSource& source, Value value)
 {
-  throw FileError(vtkErrorCode::UserError,
-    "Value " + std::to_string(value) + " of array \"" + source.Array->GetName() +
-      "\" does not fit into the type of channel " + source.Channel + ", " + NameOf(source.Type) +
-      "; choose another type by AssignPixelType, or rescale the array.");
+  constexpr int digits = 10; // of UINT's largest value
+  std::ostringstream text;
+  text << std::setprecision(digits) << "Value " << +value << " of array \""
+       << source.Array->GetName() << "\" does not fit into the type of channel " << source.Channel
+       << ", " << NameOf(source.Type)
+       << "; choose another type by AssignPixelType, or rescale the array.";
+  throw FileError(vtkErrorCode::UserError, text.str());
 }
 
 template <class Sample, class Value, class Change>

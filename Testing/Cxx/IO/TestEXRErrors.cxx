@@ -25,7 +25,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -81,7 +83,7 @@ TEST(TestEXRErrors, ValuesThatDoNotFitAreRefused)
     { VTK_INT, -1, Writer::UINT, false }, { VTK_LONG_LONG, 4294967295.0, Writer::UINT, true },
     { VTK_LONG_LONG, 4294967296.0, Writer::UINT, false }, { VTK_FLOAT, 0.5, Writer::UINT, false },
     { VTK_DOUBLE, 7, Writer::UINT, true }, { VTK_INT, 16777217, Writer::FLOAT, false },
-    { VTK_INT, 16777216, Writer::FLOAT, true } };
+    { VTK_INT, 16777216, Writer::FLOAT, true }, { VTK_DOUBLE, 1e-9, Writer::UINT, false } };
   for (const Case& tried : cases)
   {
     const std::string what = std::to_string(tried.Value) + " as " + std::to_string(tried.Pixel);
@@ -97,7 +99,9 @@ TEST(TestEXRErrors, ValuesThatDoNotFitAreRefused)
     }
     else
     {
-      CheckWriteRefused(writer, vtkErrorCode::UserError, "\"X\" does not fit", what);
+      std::ostringstream words;
+      words << std::setprecision(10) << "Value " << tried.Value << " of array \"X\" does not fit";
+      CheckWriteRefused(writer, vtkErrorCode::UserError, words.str(), what);
     }
     EXPECT_EQ(CountFiles(folder), 0u) << "files left by " << what;
   }
