@@ -43,7 +43,8 @@ def measure(mesh: Any) -> dict[str, Any]:
     volumes = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)) / 6.0
     parts = numpy.bincount(_parts(faces, len(places))[faces[:, 0]], volumes)
     first, second = numpy.sort(numpy.concatenate(edges)).astype(numpy.int64).T
-    _, counts = numpy.unique(first * len(places) + second, return_counts=True)
+    keys = (first * len(places) + second)[first != second]
+    _, counts = numpy.unique(keys, return_counts=True)
     return {
         "area": float(numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2.0),
         "volume": float(volumes.sum()),

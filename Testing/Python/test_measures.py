@@ -83,6 +83,13 @@ class Measures(unittest.TestCase):
         mesh.GetPoints().SetPoint(0, 0, 0, 1e-3)
         self.assertEqual(measure(mesh)["pieces"] + measure(mesh)["voids"], 1)
 
+    def test_a_polygon_without_area_opens_nothing(self):
+        mesh = cube()
+        points, polygons = mesh.GetPoints(), mesh.GetPolys()
+        copy = points.InsertNextPoint(points.GetPoint(0))
+        polygons.InsertNextCell(3, [0, 1, copy])
+        self.assertEqual(measure(mesh)["open edges"], 0)
+
 
 class Programs(CommandTest):
     def test_info_of_a_series(self):
