@@ -388,8 +388,8 @@ void NodeFits::FindStrengths(Search& search)
 
 void RefuseNeighbours(std::size_t particles)
 {
-  throw std::invalid_argument("The " + std::to_string(particles) + " particles have more than " +
-    std::to_string(MostNeighbours) +
+  throw std::invalid_argument(std::to_string(particles) +
+    " particles (periodic copies included) have more than " + std::to_string(MostNeighbours) +
     " neighbours within 1.6 kernel radii on average; about 200 are usual. Remove coincident "
     "particles, give ParticleSpacing, KernelRadius or the array of radii in the unit of the "
     "positions, or set "

@@ -138,7 +138,7 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
   {
     throw std::invalid_argument(
       "The particles' spacing cannot be estimated, because there is only one particle, or "
-      "particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
+      "all particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
   }
   this->ReportSpacing(frame->HasRadii);
 }
