@@ -88,8 +88,8 @@ public:
   /**
    * Compression of pixels, lossless except for DWAA. NONE (0). ZIP (1): 16 rows at a time, widely
    * supported. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets, best for noise.
-   * DWAA (4): small, with loss; an error if a channel is UINT or no color. Colors are Y, and R, G,
-   * B and A, also of layers. Default: ZIP.
+   * DWAA (4): small, with loss; an error if a channel is UINT or no color. Colors are R, G, B and
+   * A, also of layers, and Y outside layers. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -195,8 +195,8 @@ public:
 
   ///@{
   /**
-   * Writes a component of a point array as a channel of this name. Of this array, only the channels
-   * added by AddChannel are then written; other arrays follow the table of Channels above.
+   * Writes a component of a point array as the channel named `channel`. Of this array, only the
+   * channels added by AddChannel are then written; other arrays follow the table of Channels above.
    */
   void AddChannel(const char* array, int component, const char* channel);
   void ClearChannels();

@@ -66,8 +66,8 @@ public:
   ///@{
   /**
    * Name of the grid to read; AddGridName adds more. Grids of equal name are called name[0] (or
-   * name), name[1], name[2]... Default: none, the first level set, else the first fog, else the
-   * first points, else the first grid of any other kind.
+   * name), name[1], name[2]... Default: none, which reads the first level set, else the first fog,
+   * else the first points, else the first grid of any other kind.
    */
   void SetGridName(const char* name);
   void AddGridName(const char* name);

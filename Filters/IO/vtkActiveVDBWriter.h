@@ -23,8 +23,8 @@
  *
  * @par Metadata of the file and of all grids
  * - creator, time [pipeline time] (0 if the input has none), frame (index of the time step, from
- *   0), units, and, from a vtkActiveImplicitSurface, motion_X for each property X that determines
- *   the motion.
+ *   0), units, and, from a vtkActiveImplicitSurface, motion_X for each numeric property X that
+ *   determines the motion, except VoxelSize.
  *
  * @par Errors
  * - A file is written under a temporary name, validated and then renamed, so it appears as a whole
@@ -115,9 +115,8 @@ public:
    * Adds a grid, named after the array, for each point array of one or three components. Grids of a
    * surface have values near the skin: floating-point numbers are interpolated at the skin's
    * nearest point; integers are those of the corner with the largest weight in this interpolation.
-   * Vectors of integers beyond int32 become double and are interpolated.
-   * Grids of an image have all values. Arrays of another number of components are an error.
-   * Default: off.
+   * Vectors of integers beyond int32 become double and are interpolated. Grids of an image have all
+   * values. Arrays of another number of components are an error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);

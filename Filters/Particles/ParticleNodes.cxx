@@ -141,7 +141,7 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
 }
 
 // Returns the radius of a ball around a particle [length]. The nodes in this ball are in the shell,
-// except in full cells. If all particles have one own radius, the ball extends at least this radius
+// except in full cells. For ellipsoids of one own radius, the ball extends at least this own radius
 // beyond the skin: gaps of two own radii can be inside a body, and the shell includes these gaps.
 double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {

@@ -170,7 +170,7 @@ std::string ListNames(const VDBFile& file)
   return names.empty() ? "none" : names;
 }
 
-// Preference of a grid: the lowest is best; negative for grids that cannot be read.
+// Preference of a grid: 0 is best; -1: the grid cannot be read.
 int Rank(const VDBGrid& grid)
 {
   const auto kind = grid.Metadata->getMetadata<openvdb::StringMetadata>("class");

@@ -52,7 +52,7 @@ struct NodeFields
 /** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit; with a freedom, also the
  * slack = HalfWidth / |grad G|. A smaller |grad G| than LeastSlope counts as LeastSlope. G is
  * `potential`, which is + or - 1 outside the rows of the shell. Where |grad G| vanishes, psi is +
- * or - NodeLimit. */
+ * or - NodeLimit, unless LeastSlope > 0. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 

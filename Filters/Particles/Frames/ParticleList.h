@@ -183,7 +183,7 @@ private:
   }
 
   bool IsSingle = false;
-  // Coordinates; at most one of these two lists is not empty.
+  // Coordinates; at least one of these two lists is empty.
   std::vector<std::array<float, 3>> Single;
   std::vector<std::array<double, 3>> Double;
   Column Radii, Strengths;

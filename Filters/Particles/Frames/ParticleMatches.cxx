@@ -108,9 +108,9 @@ std::vector<NumberedDisplacement> SampleDisplacements(const ParticleFrame& earli
   return displacements;
 }
 
-// Particles without ids, at least 100, count as shuffled if the median displacement, after
-// subtraction of the mean displacement, exceeds 20 % of the diagonal of the particles' box. Along a
-// periodic axis, the box has the length of the period.
+// Particles without ids count as shuffled if there are at least 100, and if the median
+// displacement, after subtraction of the mean displacement, exceeds 20 % of the diagonal of the
+// particles' box. Along a periodic axis, the box has the length of the period.
 bool AreShuffled(std::vector<NumberedDisplacement> displacements, const ParticleFrame& earlier,
   const PeriodicBox& box)
 {

@@ -15,7 +15,7 @@
 namespace activesurface
 {
 
-// Batch size if a particle needs some microseconds.
+// Particles in a task, for work of some microseconds per particle.
 constexpr std::size_t ParticlesPerTask = 256;
 
 // Calls task(0) to task(count - 1), each once unless a task throws. Rethrows an exception of a

@@ -1,4 +1,4 @@
-// Groups of points in one cell, up to eight each, so that one search serves a group.
+// Groups of up to eight points of one cell, so that one search serves a group.
 
 #ifndef PointGroups_h
 #define PointGroups_h

@@ -1,5 +1,5 @@
-// Contribution of one element of a skeleton to the sum: strength * W(distance / radius), and to the
-// gradient of the potential, threshold - sum.
+// Contributions of one element of a skeleton: to the sum, strength * W(distance / radius), and to
+// the gradient of the potential (threshold - sum).
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
 // returns W(q) and W'(q)/q as functions of q^2 <= 1. The gradient for a point is strength * W'(q)/q
@@ -73,7 +73,7 @@ struct MetaballKernel
 };
 
 // A position and the sums of the contributions at this position. Terms 0, 1, 2 are the gradient of
-// the potential, threshold - sum. Term 3 is the sum. In one array, compilers vectorise the sums by
+// the potential (threshold - sum). Term 3 is the sum. In one array, compilers vectorise the sums by
 // pairs of terms.
 struct SkeletonPlace
 {

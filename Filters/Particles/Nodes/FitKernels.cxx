@@ -22,7 +22,7 @@ constexpr float FullDepth = .22f;
 constexpr float OffsetOfBody = .1f;
 
 // Bulk (GroupFits) grows from 0 to 1 between these densities of neighbours [particles per (2 own
-// radii)^3]. Density: 0.28 in a one-layer sheet, 0.63 and 0.87 in a deep body's outermost layers.
+// radii)^3]. Density: 0.28 in a one-layer sheet, 0.63 and 0.87 in a body's two outermost layers.
 constexpr float LeastBody = .3f;
 constexpr float FullBody = .8f;
 
@@ -32,7 +32,7 @@ constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f, DensityOfFullReach = .2f;
 
 // Shape (GroupFits) grows from 0 to 1 between FewestNeighbours and EnoughNeighbours: sums of the
-// weights of the particle (1) and of neighbours within NearPerWide of the neighbourhood's radius.
+// weights of the particle (1) and of neighbours within NearPerWide neighbourhood radii.
 // The sum is 2.1 with two neighbours, 4.2 in a one-layer sheet, about 6 at a body's surface.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;

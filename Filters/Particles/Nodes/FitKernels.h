@@ -35,7 +35,7 @@ struct FitGroup
   void FindBox();
 };
 
-// Position of a neighbour of a group, relative to the group's origin, and its row in the columns.
+// Neighbour of a group: position relative to the group's origin, and row in the columns.
 struct FitNeighbour
 {
   float Place[3];

@@ -1,6 +1,6 @@
 // Fits of the particles near a surface: ellipsoids, and bulks (how much of a body surrounds each
-// particle). Particles deep in a body have no fit, because their kernels do not reach a surface.
-// There are three passes:
+// particle). If the blocks have full cells (HasInside), particles deep in a body have no fit,
+// because their kernels do not reach a surface. There are three passes:
 //
 // - Ellipsoid: shape and centre for each particle.
 // - Lack: the sum of kernels at the particle's expected surface, minus the sum for an isolated

@@ -28,7 +28,7 @@ namespace
 
 constexpr double DefaultVoxels = 64.0; // voxels along the longest side
 constexpr double DefaultReach = 0.125; // fraction of the diagonal
-constexpr double LeastReach = 3.0;     // voxels: corners of crossed voxels and their neighbours
+constexpr double LeastReach = 3.0;     // voxels: up to neighbours of crossed voxels' corners
 constexpr double Margin = 2.0;         // voxels beyond Reach, so that interpolation has all corners
 constexpr double FarthestNode = 1e9;   // node indices are 32-bit integers
 

@@ -30,8 +30,8 @@ public:
   // The mesh has to outlive this object.
   explicit WindingNumber(const MeshTriangles& mesh);
 
-  // Returns about 1 inside a closed mesh (n where n bodies overlap), 0 outside, and the negative
-  // number inside if the polygons face inward. Across a hole the value changes smoothly.
+  // Returns about 1 inside a closed mesh (n where n bodies overlap), or about -1 (-n) if the
+  // polygons face inward; 0 outside. Across a hole the value changes smoothly.
   // Thread-safe; the result does not depend on the number of threads.
   double Evaluate(const openvdb::Vec3d& place) const;
 

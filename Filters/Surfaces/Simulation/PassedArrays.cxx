@@ -24,7 +24,7 @@ namespace
 
 constexpr std::size_t Grain = 1024;
 
-// An array of the particles to be averaged on the skin.
+// An array of the particles; the array is averaged on the skin.
 struct Column
 {
   std::size_t Components = 1;

@@ -212,8 +212,8 @@ ImageShape::ImageShape(const InputData& input)
 {
 }
 
-// Makes the function of a mask that is smoothed as a label, inside above the level. Returns false
-// if no pixel is above the level.
+// Makes the function of a mask that is smoothed as a label; inside is above the level. Returns
+// false if no pixel is above the level.
 bool ImageShape::PrepareLabel(double level)
 {
   const auto samples = MakeLabelSamples(vtkImageData::SafeDownCast(this->Data), level, this->Label);

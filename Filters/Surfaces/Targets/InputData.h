@@ -15,7 +15,7 @@ namespace activesurface
 
 /**
  * Point arrays that the user has chosen, by purpose. Each function except FindValues returns null
- * if no array is chosen. Each throws std::invalid_argument if the chosen array is missing.
+ * if no array is chosen. All throw std::invalid_argument if the chosen array is missing.
  */
 class ChosenArrays
 {

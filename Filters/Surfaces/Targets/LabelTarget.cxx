@@ -26,7 +26,8 @@ constexpr double UsualFreedom = 0.47;
 // Distance [pixels] to the label of an image that has none.
 constexpr double Absent = 3.5;
 
-// Extends the range of leaves from `low` to `high` to the box of a grid, enlarged by Farthest.
+// Extends the range `low` to `high` of leaves so that it contains the box of a grid, enlarged by
+// Farthest.
 void AddBox(vtkImplicitFunction* function, double voxelSize, NodeIndex& low, NodeIndex& high)
 {
   double bounds[6];

@@ -1,6 +1,6 @@
 /**
- * Polygons: the distance to a closed mesh, or to a shell around an open mesh if MeshThickness > 0
- * (vtkGridPotential).
+ * Polygons: the distance to a mesh or, if the mesh is open and MeshThickness > 0, to a shell around
+ * the mesh (vtkGridPotential).
  */
 #ifndef MeshShape_h
 #define MeshShape_h

@@ -45,7 +45,7 @@ struct TargetOptions
   double Threshold = 0.5;  //< of sums of kernels
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   PeriodicBox Box;            //< of particles
-  double MeshThickness = 0.0; //< [length]; 0: closed meshes
+  double MeshThickness = 0.0; //< of the shell around an open mesh [length]; 0: no shell
   double MeshReach = 0.0;     //< width around a mesh in which distances are needed [length]
   double MeshVoxels = 0.0;    //< limit for the distances to a mesh [voxels]
 
