@@ -343,7 +343,7 @@ openvdb::GridBase::Ptr ReadVDBGrid(
       (grid.Transform ? "its type " + grid.Type + " is not supported" +
             (FindType(grid.Type) ? " in a file of this version" : "")
                       : "its transform is not linear") +
-      "; choose another grid.");
+      ".");
   }
   try
   {

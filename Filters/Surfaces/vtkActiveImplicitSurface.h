@@ -161,10 +161,10 @@ public:
   ///@}
 
   ///@{
-  /** Obstacle that the skin may not enter, negative inside: a rock (vtkSphere), or a tank (negative
-   * outside of the tank's inside). The skin is closed along the obstacle. Obstacles thinner than
-   * two voxels leak. A change of the obstacle restarts the motion. A saved state does not contain
-   * the obstacle: set the obstacle again. Default: none. */
+  /** Obstacle that the skin may not enter, a function negative in the solid: in a rock (vtkSphere),
+   * or everywhere except in the interior of a tank. The skin is closed along the obstacle.
+   * Obstacles thinner than two voxels leak. A change of the obstacle restarts the motion. A saved
+   * state does not contain the obstacle: set the obstacle again. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}

@@ -55,12 +55,12 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
     width = max(first + size for _, _, first, size in columns)
     if len(rows) < count:
-        raise ValueError(f"it has fewer atoms than the {count} of line {place + 1}; write it again")
+        raise ValueError(f"it ends before the {count} atoms of line {place + 1}; write it again")
     short = next((i for i, row in enumerate(rows) if len(row) < width), None)
     if short is not None:
         raise ValueError(
             f"line {place + 3 + short} has {len(rows[short])} column(s), but an atom has {width}; "
-            f"or the file has fewer atoms than the {count} of line {place + 1}; correct the file"
+            f"or the file ends before the {count} atoms of line {place + 1}; correct the file"
         )
     frame: Frame = {}
     for name, kind, first, size in columns:
@@ -243,8 +243,8 @@ def read_gro(path: Path) -> Frames:
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
             raise ValueError(
-                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}, or "
-                "no box after them; write it again"
+                f"it ends before the {lines[place + 1].strip()} atoms of line {place + 2} or their "
+                "box; write it again"
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1][FIELD] = _edges_of(lines[end])

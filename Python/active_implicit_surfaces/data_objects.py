@@ -137,8 +137,8 @@ def is_vtk(thing: Any) -> bool:
         raise TypeError(
             f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
             f"which uses the package {vtk_build.PACKAGE}; use classes of that package. For "
-            "PyVista, set the environment variable PYVISTA_VTK_BACKEND (cvista for cvista, else "
-            "vtk) before PyVista is imported."
+            "PyVista, set the environment variable PYVISTA_VTK_BACKEND to "
+            f"{vtk_build.backend_of(vtk_build.PACKAGE)} before PyVista is imported."
         )
     return False
 

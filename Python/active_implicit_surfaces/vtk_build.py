@@ -36,7 +36,7 @@ def refuse_another() -> None:
                 f"active_implicit_surfaces was built with the VTK of the package {PACKAGE}, but "
                 f"this program has loaded that of {root}; a program cannot have both. Import VTK "
                 f"from {PACKAGE} only. For PyVista, set the environment variable "
-                f"PYVISTA_VTK_BACKEND to {_short(PACKAGE)} "
+                f"PYVISTA_VTK_BACKEND to {backend_of(PACKAGE)} "
                 f"(it is {os.environ.get('PYVISTA_VTK_BACKEND', 'not set')}) before PyVista is "
                 "imported."
             )
@@ -54,11 +54,11 @@ def check() -> None:
         f"active_implicit_surfaces was built with VTK {VERSION}, for {BUILT_FOR}, but this Python "
         f"finds another VTK, {found}, in {os.path.dirname(core.__file__ or '')}; one program "
         "cannot have both. Remove that VTK from the environment (if it is from PyPI: pip uninstall "
-        f"{_short(PACKAGE)}), so that the one of the build is found, or build "
+        f"{backend_of(PACKAGE)}), so that the one of the build is found, or build "
         "active_implicit_surfaces with that VTK."
     )
 
 
-def _short(package: str) -> str:
+def backend_of(package: str) -> str:
     """Returns PyVista's name of the backend, which is also the package's name on PyPI."""
     return package.removesuffix("modules")

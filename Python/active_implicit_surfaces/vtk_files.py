@@ -168,7 +168,9 @@ def _check_obj(path: Path) -> None:
     faces = []
     for cells in _rows(path):
         if not counts[b"v"] and cells[0] != b"v" and not cells[0].startswith(_NOT_OF_CORNERS):
-            raise OSError(f"{path} cannot be read: it is no .obj, which begins with vertices.")
+            raise OSError(
+                f"{path} cannot be read: it is no .obj: its data begin without a vertex, v x y z."
+            )
         if cells[0] in counts:
             counts[cells[0]] += 1
         elif cells[0] in (b"f", b"l", b"p"):

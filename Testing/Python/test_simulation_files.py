@@ -155,7 +155,7 @@ class Atoms(ReaderTest):
         self.assertFalse(cloud.GetPointData().HasArray("Velocity"))
         self.assertEqual(field_of(cloud, "Lattice").diagonal().tolist(), [40000, 40000, 1.8206])
         for words, wrong in (
-            ("fewer atoms than the 3", text[:150]),
+            ("ends before the 3 atoms of line 2 or their box", text[:150]),
             ("line 2 is not the number of atoms", "a\nb\n"),
             ("line 4 lacks a valid position, velocity", text.replace("0.190", "x.190")),
         ):

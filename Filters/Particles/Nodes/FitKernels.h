@@ -18,8 +18,8 @@
 namespace activesurface
 {
 
-// Up to eight particles that are near each other, with positions relative to a common origin.
-// Unused columns repeat the last particle.
+// Up to eight particles near each other, or points (then only Place is set), with positions
+// relative to a common origin. Entries from Count on repeat the last one; Members has none there.
 struct FitGroup
 {
   int Count = 0;

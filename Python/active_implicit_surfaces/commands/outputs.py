@@ -43,7 +43,7 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields the options of one run per label, with own output names; without labels, of one run.
+    """Yields a run's options for each label, with its output names; without labels, for one run.
 
     `find` returns all labels; `default` is the output's name if neither -o nor --render is given.
     Raises OSError if `find` returns no label.
