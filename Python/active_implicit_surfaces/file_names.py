@@ -214,7 +214,7 @@ def read_index(index: Path) -> Listing:
 
 
 def _beside(index: Path, name: str) -> Path:
-    """Returns the path of a file that an index lists, with folder separators of Unix or Windows."""
+    """Returns the path of a listed file; an index may use folder separators of Unix or Windows."""
     path = index.parent / name
     return path if path.exists() else index.parent / name.replace("\\", "/")
 

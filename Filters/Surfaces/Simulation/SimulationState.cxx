@@ -121,9 +121,10 @@ void SurfaceSimulation::RestoreLoaded()
   if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
-      "The loaded state does not fit this surface: its time is not a time step, or the first time, "
-      "TimeScale, VoxelSize or the position of the data differs. Set the properties and the input "
-      "with which the state was saved.");
+      "The loaded state does not fit this surface: the first time, TimeScale, VoxelSize or the "
+      "position of the data differs, or the state's time is not a time step. Set the properties "
+      "and "
+      "the input with which the state was saved.");
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
