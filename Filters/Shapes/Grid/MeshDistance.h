@@ -23,7 +23,8 @@ struct MeshLattice
 //
 // OpenVDB's conversion propagates the closest triangle from node to node. If triangles are small,
 // these distances are up to half a voxel too long. The conversion is therefore followed by a walk
-// over the mesh, from triangle to nearer triangle, as long as the distance decreases.
+// over the mesh, from triangle to nearer triangle, as long as the distance decreases. A walk may
+// end too early: over a sphere, distances at one node in a thousand are 0.1 to 0.6 voxels too long.
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
 
 }

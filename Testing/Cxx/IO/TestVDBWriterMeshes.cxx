@@ -181,14 +181,18 @@ TEST(TestVDBWriterMeshes, StripsAreReadAsTheirTriangles)
   const auto grid = Load(folder + "strips.vdb", "surface");
   EXPECT_EQ(grid->activeVoxelCount(), expected->activeVoxelCount()) << "active voxels";
   double worst = 0.0;
+  std::size_t differing = 0;
   for (auto node = expected->cbeginValueOn(); node; ++node)
   {
     const float value = grid->tree().getValue(node.getCoord());
-    worst = std::max(worst, std::fabs(double(value) - *node));
+    const double difference = std::fabs(double(value) - *node);
+    worst = std::max(worst, difference);
+    differing += difference > 0.1 * VoxelSize ? 1 : 0;
   }
-  // Away from the mesh a node has the distance to a neighbour's triangle, which depends on the
-  // order. The difference is at most half a voxel; see MeshDistance.h.
-  EXPECT_LT(worst, 0.5 * VoxelSize) << "difference";
+  // At few nodes the nearest triangle that is found depends on the order; see MeshDistance.h. It is
+  // the nearest of a neighbour, one voxel away.
+  EXPECT_LT(worst, VoxelSize) << "difference";
+  EXPECT_LT(differing, expected->activeVoxelCount() / 200) << "nodes that differ";
 }
 
 TEST(TestVDBWriterMeshes, FlatTrianglesChangeNothing)
