@@ -230,7 +230,9 @@ def _check_corner(
     """Returns flags of a corner's parts (vertex, texture, normal); raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
-        raise OSError(f"{path} cannot be read: a corner has no vertex number; correct it.")
+        raise OSError(
+            f"{path} cannot be read: a corner is none of v, v/vt, v//vn, v/vt/vn; correct it."
+        )
     for number, count, before in zip(found.groups(), whole, so_far):
         place = int(number or 0)
         if place > count or place < -before or (number and place == 0):
