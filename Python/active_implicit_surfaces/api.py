@@ -217,7 +217,7 @@ class frames(Skins):
             fault = f"No particle of any frame meets {conditions}"
             fault = fault if conditions else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
-            raise ValueError(f"{fault}{more}; relax the selection.")
+            raise ValueError(f"{fault}{more}; relax the selection, or give more particles.")
         if probe is not None:
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
             self.source, arrays = self._atoms.source, None
@@ -300,9 +300,9 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
         ]
     if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
         return [
-            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so kernels reach "
-            f"few neighbours. Increase kernel_radius; or, if {radius:g} is the particles' radius "
-            f"or spacing, give particle_spacing {own:g} in place of kernel_radius."
+            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart; without radii, "
+            f"kernels reach few neighbours. Increase kernel_radius; or, if {radius:g} is the "
+            f"particles' radius or spacing, give particle_spacing {own:g} instead."
         ]
     return []
 

@@ -60,7 +60,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     if short is not None:
         raise ValueError(
             f"line {place + 3 + short} has {len(rows[short])} column(s), but an atom has {width}; "
-            f"or the file ends before the {count} atoms of line {place + 1}; correct the file"
+            f"or fewer than the {count} atoms of line {place + 1} follow it; correct the file"
         )
     frame: Frame = {}
     for name, kind, first, size in columns:
@@ -167,7 +167,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
-        effect = "get the radius 0" if are_known else "get no radius"
+        effect = "get the radius 0" if are_known else "get no radius from it"
         warn(
             f"{few(unknown)}: there is no element of this symbol, or no known radius; these atoms "
             f"{effect}. Write elements in the file, or choose an array of radii."

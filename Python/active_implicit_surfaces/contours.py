@@ -96,8 +96,8 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
     if not finite.size:
         raise ValueError("The image has no finite value, so no inside; give another image.")
     raise ValueError(
-        f"The image has no inside: its values are from {finite[0]:g} to {finite[-1]:g}, none "
-        "below 0. "
+        f"The image has no inside: its finite values are from {finite[0]:g} to {finite[-1]:g}, "
+        "none below 0. "
         "Give target_iso_value, the value at the surface; also invert_target if inside is above."
     )
 

@@ -174,7 +174,7 @@ def vtk_points(positions: Any) -> Any:
                 "active-surface skin."
             ) from error
         raise TypeError(
-            f"A {type(positions).__name__} is no set of particles; give an array of n rows and 3 "
+            f"A {type(positions).__name__} is no set of particles; give numbers in n rows and 3 "
             "columns, a vtkPointSet, or an object with points or vertices."
         ) from error
     if numbers.size == 0:
@@ -249,7 +249,9 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
     if numbers.dtype == bool:
         numbers = numbers.astype("u1")
     if numbers.dtype.kind not in "iuf" and not is_text:
-        raise TypeError(f'The array "{name}" has neither numbers nor one text a row; leave it out.')
+        raise TypeError(
+            f'The array "{name}" has neither real numbers nor one text a row; leave it out.'
+        )
     if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
         numbers = numbers.astype("f4")
     is_of_points = attributes is None

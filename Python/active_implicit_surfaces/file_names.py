@@ -206,9 +206,9 @@ def read_index(index: Path) -> Listing:
         frames[-1][part] = name
     parts = [tuple(_beside(index, name) for name in frame.values()) for frame in frames]
     note = left_out and (
-        f"{index} lists several files for one time, as after a restart; the last file is used, and "
-        f"{len(left_out)} file(s), such as {left_out[0]}, are left out. If the files are parts of "
-        "one frame, number the parts with part= in a .pvd."
+        f"{index} lists several files for one time, as after a restart; the last entry is used, "
+        f"and {len(left_out)} before it, such as {left_out[0]}, are left out. If the files are "
+        "parts of one frame, number the parts with part= in a .pvd."
     )
     return Listing(parts, times, note or "")
 

@@ -200,8 +200,8 @@ def check_glb(path: Path) -> tuple[bool, bool, Any]:
         return is_own, bool(content.get("meshes")), origin and numpy.array(origin, float)
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
         raise OSError(
-            f"{path} cannot be read: it is no valid .glb (glTF 2.0), or its meshes are compressed; "
-            "write it again, uncompressed."
+            f"{path} cannot be read: it is no valid .glb (glTF 2.0), or its meshes are compressed "
+            "or sparse; write it again without that."
         ) from error
 
 

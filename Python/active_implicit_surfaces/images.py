@@ -118,7 +118,7 @@ def _read_nrrd(
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(
             f"its {len(values)} bytes of values are too few for {' x '.join(sizes)} values, or it "
-            "does not have three axes; write a complete image of three axes"
+            "does not have three axes of points; write a complete image of three axes"
         )
     lines = [f"{name}: {fields.get(name, 'little')}" for name in ("type", "endian", "encoding")]
     lines = ["NRRD0004", *lines, "dimension: 4", f"sizes: {' '.join(['1', *sizes][-4:])}", "", ""]

@@ -97,8 +97,8 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
     if rounding > _ROUNDING * edge:
         warn(
             f"A {suffix} file rounds points to single precision, by up to {rounding:.2g} here, "
-            f"where edges are about {edge:.2g} long; write .ply, .obj or .vtp, or move the data "
-            "near the origin."
+            f"where edges are about {edge:.2g} long; write .ply, .obj or .vtp, or, as a .stl, "
+            "data near the origin."
         )
 
 

@@ -125,9 +125,9 @@ class morph(Skins):
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
-                f"The skin has vanished by the time {self.times[step]:g}. Either the shapes do not "
+                f"There is no skin at the time {self.times[step]:g}. Either the shapes do not "
                 "overlap (without create_parts), parts are thinner than two voxels, tension is too "
-                "large, or nothing is inside an image. Give fit, reduce voxel_size or tension, or "
+                "large, or nothing is inside a shape. Give fit, reduce voxel_size or tension, or "
                 "set target_iso_value."
             )
         return skin

@@ -246,7 +246,8 @@ def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
         raise OSError(f"{path} cannot be read as particles: {said_first}.") from error
     except _DAMAGE_OF_ARCHIVES as error:
         raise OSError(
-            f"{path} cannot be read as particles: it is damaged or encrypted; write it again."
+            f"{path} cannot be read as particles: it is damaged or encrypted, or a number in it "
+            "is too large; write it again."
         ) from error
 
 

@@ -49,14 +49,14 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
     if "Lattice" not in known:
         raise ValueError(
-            "There are no particles with a box (files .xyz, .dump, .gro and .pdb may have one); "
+            "A frame has no particles with a box (files .xyz, .dump, .gro and .pdb may have one); "
             "give periodic_bounds in place of periodic."
         )
     edges = known["Lattice"].reshape(3, 3)
     sides = numpy.diag(edges)
     if numpy.abs(edges - numpy.diag(sides)).max() > _ROUNDING * numpy.abs(edges).max():
         raise ValueError(
-            "The box is slanted (triclinic), but only a box along x, y and z can be periodic; "
+            "The box is slanted or rotated, but only a box along x, y and z can be periodic; "
             "leave periodic out."
         )
     low = known.get("Origin", numpy.zeros(3)).reshape(3)

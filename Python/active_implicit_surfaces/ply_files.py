@@ -29,7 +29,7 @@ _TYPES = {
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 _COLOURS = ("red", "green", "blue", "alpha")
 _TEXTURES = (("u", "v"), ("s", "t"), ("texture_u", "texture_v"))
-_ENDS_EARLY = "it is damaged: it ends before its last element"
+_ENDS_EARLY = "it is damaged: it ends before the end of its last element"
 
 
 class _Property(NamedTuple):

@@ -114,7 +114,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
         names, rows = items["ATOMS"][0].split()[1:], items["ATOMS"][1].splitlines()
         field, origin = _box_of(*items["BOX BOUNDS"])
     except (KeyError, ValueError) as error:
-        raise ValueError(f"its frame is damaged ({error}); write it again") from error
+        raise ValueError(f"a frame is incomplete or damaged ({error}); write it again") from error
     if len(rows) < count:
         raise ValueError(f"a frame has only {len(rows)} of {count} atoms; write the file again")
     cells = rows[0].split() if count else [""] * len(names)
@@ -185,7 +185,7 @@ def _read_kinds(path: Path) -> Frame:
     parts = [part for part in parts if len(part["array"])] or parts[:1]
     held = [name for name in parts[0] if all(name in part for part in parts)] if parts else []
     if not {*"xyz"} <= {*held}:
-        raise ValueError("it has no particles with x, y and z; write these arrays")
+        raise ValueError("it has no particles, or x, y or z is missing in some; write them for all")
     frame = {name: numpy.concatenate([part[name] for part in parts]) for name in held}
     for name, axes in (("positions", "xyz"), ("Velocity", "uvw")):
         if {*axes} <= frame.keys():

@@ -119,8 +119,8 @@ def _vectors_in(
 
 
 def _no_positions(names: Sequence[str]) -> str:
-    named = few(filter(None, names)) or "none with a name"
-    return f"it has no columns x, y and z of numbers (name or add them); it has {named}"
+    named = few(filter(None, names)) or "no named column of numbers"
+    return f"it has no columns x, y and z of numbers (name, correct or add them); it has {named}"
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -254,11 +254,11 @@ def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: ty
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     """Slower fallback of `_load`: accepts empty cells, and names the line of the first error."""
-    table, which = [], "the header has" if form.names else "the first row has"
+    table = []
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > form.width):
             raise ValueError(
-                f"line {place} has {len(cells)} column(s), but {which} {form.width}; fix it"
+                f"line {place} has {len(cells)} column(s), not {form.width} as other lines; fix it"
             )
         values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:
@@ -324,7 +324,7 @@ def _split_by_time(frame: Frame) -> Frames:
     if not known.any():
         return [frame], None
     if not known.all():
-        warn(f"{(~known).sum()} row(s) without a {lower[name]} are left out.")
+        warn(f"{(~known).sum()} row(s) without a finite {lower[name]} are left out.")
         frame, column = {key: values[known] for key, values in frame.items()}, column[known]
     times, steps = numpy.unique(column, return_inverse=True)
     order = numpy.argsort(steps, kind="stable")

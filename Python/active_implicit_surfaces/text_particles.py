@@ -95,7 +95,7 @@ def _even_array(what: str, values: Any) -> Any:
         found = numpy.array(values)
     except ValueError:
         raise ValueError(
-            f"its {what} has rows of different lengths; write rows of one length"
+            f"its {what} has rows of different lengths or depths; write rows of one form"
         ) from None
     if found.dtype == object and all(isinstance(cell, (str, type(None))) for cell in values):
         return numpy.array([cell or "" for cell in values])
@@ -115,8 +115,8 @@ def read_numpy(path: Path) -> Frames:
         except ValueError as error:
             if "allow_pickle" in str(error):
                 raise ValueError(
-                    "it has Python objects, which may contain code and are not loaded; save "
-                    "arrays of numbers (PySPH writes .hdf5 if h5py is installed)"
+                    "it is no .npy or .npz, or it has Python objects, which may contain code and "
+                    "are not loaded; save arrays of numbers (PySPH: .hdf5, which needs h5py)"
                 ) from None
             raise
         return _from_arrays(arrays)
@@ -141,8 +141,8 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         raise ValueError("its positions have values that are not numbers; write numbers only")
     if positions.ndim not in (2, 3) or positions.shape[-1] != 3:
         raise ValueError(
-            f'its array "{found}" has the shape {positions.shape}; positions need the shape (n, 3) '
-            "or (frames, n, 3)"
+            f"its positions have the shape {positions.shape}; they need the shape (n, 3) or "
+            "(frames, n, 3)"
         )
     counts = arrays.get("counts")
     if counts is not None and positions.ndim == 2:
@@ -150,8 +150,8 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             return _cut(arrays, found, counts)
         if counts.shape != positions.shape[:1]:  # else an array of the particles
             raise ValueError(
-                f'its array "counts" adds up to {int(counts.sum())}, but "{found}" has '
-                f"{len(positions)} rows; correct one of the two"
+                f'its array "counts" adds up to {int(counts.sum())}, but there are '
+                f"{len(positions)} positions; correct one of the two"
             )
     moving = positions if positions.ndim == 3 else positions[None]
     frames = [{"positions": frame} for frame in moving]

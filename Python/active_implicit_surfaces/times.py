@@ -14,7 +14,7 @@ def check_times(times: Iterable[float]) -> list[float]:
     """
     own = [float(time) for time in times]
     if not own:
-        raise ValueError("There are no frames, so no times; give at least one frame.")
+        raise ValueError("There are no frames or no times; give at least one frame.")
     if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
         raise ValueError(
             "Times have to increase from frame to frame; sort the frames by time, and remove "

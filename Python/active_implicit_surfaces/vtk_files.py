@@ -169,7 +169,7 @@ def _check_obj(path: Path) -> None:
     for cells in _rows(path):
         if not counts[b"v"] and cells[0] != b"v" and not cells[0].startswith(_NOT_OF_CORNERS):
             raise OSError(
-                f"{path} cannot be read: it is no .obj: its data begin without a vertex, v x y z."
+                f"{path} cannot be read: its data begin without a vertex, v x y z; write it again."
             )
         if cells[0] in counts:
             counts[cells[0]] += 1
@@ -181,8 +181,8 @@ def _check_obj(path: Path) -> None:
         forms = {_check_corner(path, corner, whole, so_far) for corner in corners}
         if len(forms) > 1 or not forms:
             raise OSError(
-                f"{path} cannot be read: a polygon or line has no corners, or corners of different "
-                "forms (v, v/vt, v//vn); correct it."
+                f"{path} cannot be read: a polygon, line or point has no corners, or corners of "
+                "different forms (v, v/vt, v//vn); correct it."
             )
 
 
@@ -197,7 +197,7 @@ def _add_vertices(path: Path, data: Any) -> None:
         shades = numpy.array([cells[3:] for cells in rows if len(cells) == 6], dtype=float)
     except ValueError as error:
         raise OSError(
-            f"{path} cannot be read: a coordinate or colour is no number; correct it."
+            f"{path} cannot be read: a coordinate or colour is missing or no number; correct it."
         ) from error
     points = vtk_to_numpy(data.GetPoints().GetData())
     are_alike = len(points) == len(places) and numpy.allclose(points, places, rtol=1e-6, atol=0)
@@ -256,6 +256,6 @@ def _check_stl(path: Path) -> None:
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
     if not head.lstrip().lower().startswith(b"solid") and size < 84 + 50 * count:
         raise OSError(
-            f"{path} cannot be read: it is incomplete or no .stl: it has {size} bytes, but the "
-            f"{count} triangles of its header take {84 + 50 * count}; write it again."
+            f"{path} cannot be read: it is incomplete or no .stl: it has {size} bytes, but a "
+            f"header and its {count} triangles take {84 + 50 * count}; write it again."
         )

@@ -140,7 +140,7 @@ class Particles(CommandTest):
         rows, frames = numpy.zeros((1500, 3)), numpy.zeros((3, 500, 3))
         cases = (
             (
-                '"counts" adds up to 1499, but "positions" has 1500 rows',
+                '"counts" adds up to 1499, but there are 1500 positions',
                 rows,
                 {"counts": [500, 999]},
             ),

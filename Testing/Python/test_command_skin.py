@@ -238,7 +238,7 @@ class GoingOn(CommandTest):
     def test_a_missing_skin_is_told(self):
         self.fail_with(1, *self.command)
         (self.folder / "a" / "s_1.vtp").unlink()
-        self.assertIn("s_1.vtp is no longer there", self.fail_with(1, *self.command, "--resume"))
+        self.assertIn("s_1.vtp is missing", self.fail_with(1, *self.command, "--resume"))
 
     def test_damaged_notes_are_told(self):
         self.fail_with(1, *self.command)

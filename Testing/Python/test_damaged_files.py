@@ -137,7 +137,7 @@ class DamagedFiles(unittest.TestCase):
             with self.assertRaisesRegex(OSError, "a vertex that does not exist"):
                 read_shape(path)
         path.write_bytes(path.read_bytes()[:-1])
-        with self.assertRaisesRegex(OSError, "ends before its last element"):
+        with self.assertRaisesRegex(OSError, "ends before the end of its last element"):
             read_shape(path)
 
 

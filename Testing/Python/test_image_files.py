@@ -192,7 +192,7 @@ class Images(CommandTest):
                 self.assertAlmostEqual(found["volume"], wanted, delta=0.1 * wanted)
         self.put_values("density.nrrd", self.flat + 3.0)
         said = self.fail_with(1, "morph", "mask.nrrd", "density.nrrd")
-        self.assertIn("no inside: its values are from", said)
+        self.assertIn("no inside: its finite values are from", said)
 
     def test_masks_as_parts_of_a_frame(self):
         self.put_values("a0.nrrd", (self.flat < 0) * 1.0)

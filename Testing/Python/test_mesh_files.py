@@ -145,7 +145,7 @@ class MeshFiles(CommandTest):
     def test_text_that_is_no_obj_is_refused(self):
         for text in ("no mesh\n", "0 1 2\nv 0 0 0\n"):
             self.put("a.obj", text)
-            self.assertIn("it is no .obj", self.fail_with(1, "info", "a.obj"))
+            self.assertIn("data begin without a vertex", self.fail_with(1, "info", "a.obj"))
 
 
 if __name__ == "__main__":

@@ -156,7 +156,7 @@ class Tables(ReaderTest):
             'line 3 has "1.000,5"': "x;y;z\n1;2;3\n4;1.000,5;6\n",
             "no columns x, y and z of numbers.*; it has a, b, c": "a,b,c\n1,2,3\n",
             "it has x, z; text is in y": "x;y;z\n1.5;2,5;3\n",
-            "no columns x, y and z of numbers.*; it has none": "x,y,z\na,b,c\nd,e,f\n",
+            "no columns x, y and z of numbers.*; it has no named": "x,y,z\na,b,c\nd,e,f\n",
             "line 4 has 1 column": 'x,y,z\n1,2,3\n1,,3\n"4,5,6\n',
             "line 2 has 4 column": "1 2 3\n4 5 6 7\n",
             'line 4 has "six" in place of a number': "x,y,z\n1,2,3\n\n4,5,six\n",

@@ -96,7 +96,7 @@ class Indices(ReaderTest):
             with self.subTest(entries):
                 found, _, said = self.xs(self.put_index(*entries))
                 self.assertEqual((found, len(said)), (wanted, 1))
-                self.assertIn("the last file is used", said[0])
+                self.assertIn("the last entry is used", said[0])
         text = '{"files": [{"name": "0.csv", "time": 1}, {"name": "3.csv", "time": 1}]}'
         self.assertEqual(self.xs(self.put("a.series", text))[0], [[3]])
 

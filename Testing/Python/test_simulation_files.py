@@ -129,7 +129,7 @@ class Dumps(ReaderTest):
             ("a frame has only 1 of 2 atoms", whole[:-11]),
             ("it is no dump", "1 2 3\n"),
             ("it is binary; write it as text", b"\0\1" + bytes(90)),
-            ("its frame is damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),
+            ("a frame is incomplete or damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),
             ("of numbers, but id, type, a", whole.replace("x y z", "a b c")),
         ):
             self.assert_refused(words, self.put("a.dump", text))

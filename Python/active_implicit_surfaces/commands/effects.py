@@ -64,7 +64,7 @@ _WHERE = {
     "mesh_to_vdb": "from a mesh to a .vdb",
     "no_radii": "without --radii",
     "no_times": "without --times",
-    "particles": "on particles, with active-surface skin",
+    "particles": "on particles, with active-surface skin (no --probe)",
     "pipeline": "in a pipeline of VTK; here set --times or --fps of skin, or --duration of morph",
     "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
     "range": "before the first of --frames FIRST:LAST",

@@ -55,7 +55,7 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
 
     names = [name for action in parser._actions for name in action.option_strings]
     if not word.startswith("-"):
-        return f"{word} is one argument too many; leave it out, or list all files together"
+        return f"{word} is one argument too many; leave it out, or list a series together"
     name = word.partition("=")[0]
     # Short options resemble each other too much: -r is no typing error for -o.
     near = difflib.get_close_matches(name, names, 1, 0.5) if name.startswith("--") else []

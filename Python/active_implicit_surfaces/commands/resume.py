@@ -102,7 +102,7 @@ class Resumption(Sink):
         missing = [name for name in names[: self._first] if not name.exists()]
         if missing:
             raise OSError(
-                f"{missing[0]} is no longer there; run without --resume to make all skins again."
+                f"{missing[0]} is missing; run without --resume to make all skins again."
             )
         return self._first
 
