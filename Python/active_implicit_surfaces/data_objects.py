@@ -91,8 +91,8 @@ def as_shape(shape: Any) -> Any:
     if _is_vtk(shape, "vtkPolyData"):
         if not has_polygons(shape) and shape.GetNumberOfLines() == 0:
             raise ValueError(
-                "There are no polygons and no lines; for a skin over points use skin() or "
-                "active-surface skin."
+                "There are no polygons and no lines; give a mesh or, for a skin over points, use "
+                "skin() or active-surface skin."
             )
         return shape
     if _is_vtk(shape, "vtkPointSet"):

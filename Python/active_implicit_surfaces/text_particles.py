@@ -46,7 +46,7 @@ def _text_of(content: bytes) -> str:
             text = content.decode(encoding)
             break
     if "\0" in text:
-        raise ValueError("it is no text")
+        raise ValueError("it is no text, or UTF-16 without a byte order mark")
     if not text.strip():
         raise ValueError("it is empty")
     return text
