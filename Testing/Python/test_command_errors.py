@@ -142,7 +142,7 @@ class Data(CommandTest):
     def test_wrong_arrays(self):
         path = self.folder / "a.npz"
         numpy.savez(path, positions=numpy.zeros((4, 2)))
-        self.assert_skin_fails("has the shape (4, 2)", path)
+        self.assert_skin_fails("have the shape (4, 2)", path)
         numpy.savez(path, positions=numpy.array([{}], dtype=object))
         self.assert_skin_fails("cannot be read", path)
 
