@@ -98,6 +98,11 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
+void NarrowBand::StartEmpty(double time, const double bounds[6])
+{
+  this->State->Reset(time, bounds);
+}
+
 void NarrowBand::StartOnNodes(
   double time, const double bounds[6], const Motion& motion, double duration, Target& target)
 {

@@ -129,6 +129,9 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
+  /** Makes the potential empty: all outside. bounds: as in StartOnNodes. */
+  void StartEmpty(double time, const double bounds[6]);
+
   /**
    * Sets the potential to the target at `time`, then applies attraction and tension for `duration`:
    * the first frame is then as smooth as the following frames. With NodeFreedom, applies only

@@ -13,16 +13,6 @@
 namespace activesurface
 {
 
-namespace
-{
-
-constexpr const char* NothingToStartOn =
-  "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
-  "begins when the target appears, turn CreateParts on and set ModelBounds or, for particles, "
-  "ParticleSpacing; or set an initial shape.";
-
-}
-
 void SurfaceSimulation::SetLimits(const SimulationLimits& limits)
 {
   this->Driver.SetNumberOfThreads(limits.Threads);
@@ -62,6 +52,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 void SurfaceSimulation::Reset()
 {
   this->Unverified = -1;
+  this->LacksDomain = false;
   this->Shared.Clear();
   this->Shapes.Clear();
   this->Coverage.Clear();
@@ -259,68 +250,13 @@ bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
   {
     return this->Start(progress);
   }
+  this->FindLattice();
   if (this->Settings.IsEquilibrium())
   {
     return this->AdvanceToSteadyState(progress);
   }
   return this->Path.GetStep() < this->Requested.Step ? this->AdvanceStep(progress)
                                                      : this->AdvanceBranch(progress);
-}
-
-bool SurfaceSimulation::Start(const ProgressFunction& progress)
-{
-  try
-  {
-    const SurfaceDomain* domain = this->FindDomain();
-    if (!domain && !this->Shapes.StartsOnNothing())
-    {
-      throw std::invalid_argument("Neither the target nor the initial shape has known bounds, as "
-                                  "for most functions and for input without usable points; set "
-                                  "ModelBounds to a box around the initial shape (by default the "
-                                  "target), or correct the input.");
-    }
-    if (this->Loaded.Band && domain)
-    {
-      this->Shapes.StartTarget(this->FindFirstStep());
-      this->RestoreLoaded();
-      this->Rewind(this->Requested.Step);
-      if (this->Path.HasBegun())
-      {
-        return true;
-      }
-    }
-    return this->StartBand(progress);
-  }
-  catch (...)
-  {
-    this->Reset();
-    this->LoadedIsNew = this->Loaded.Band != nullptr; // the user may correct the settings
-    throw;
-  }
-}
-
-bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
-{
-  const SurfaceDomain* domain = this->FindDomain();
-  auto band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
-  if (this->Shapes.StartsOnNothing())
-  {
-    if (!domain || !this->Settings.Parameters.CreateParts)
-    {
-      this->Messages.Say("empty", NothingToStartOn);
-    }
-  }
-  else
-  {
-    this->Shared.Place(*band, 0, 0);
-    if (!this->Driver.Start(*band, *domain, progress))
-    {
-      return false;
-    }
-  }
-  this->Path.Begin(0, std::move(band));
-  this->Record(0, this->Settings.GetStep(0), "");
-  return true;
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)

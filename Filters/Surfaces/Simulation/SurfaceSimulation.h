@@ -275,6 +275,7 @@ private:
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
   bool AdvanceLeg(const ProgressFunction& progress);
+  void FindLattice();
   bool Start(const ProgressFunction& progress);
   bool StartBand(const ProgressFunction& progress);
   bool AdvanceStep(const ProgressFunction& progress);
@@ -304,7 +305,8 @@ private:
   SharedFrames Shared{ this->Shapes };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
-  int Unverified = -1; // step to read again and compare: the source was modified
+  bool LacksDomain = false; // began on nothing, and there is no domain yet
+  int Unverified = -1;      // step to read again and compare: the source was modified
 
   RequestedTime Requested;
   RequestedArrays Arrays;

@@ -48,7 +48,7 @@ const SurfaceDomain* TargetBuilder::FindDomain()
       MakeDomain(this->Settings, { shapes, images, this->GetSpacing(), this->GetPixel() });
     this->DomainKnown = true;
   }
-  else if (this->Frames.Has(0) && this->StartsOnNothing() &&
+  else if (this->Frames.FindLastStep() >= 0 && this->StartsOnNothing() &&
     (this->Settings.HasOwnSizes() || this->EstimatedSpacing > 0.0))
   {
     this->Domain = MakeDomainOfNothing(this->Settings, this->FindSpacing());

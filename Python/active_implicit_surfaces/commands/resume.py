@@ -101,9 +101,7 @@ class Resumption(Sink):
         self._first = self._done = self.load(way.surface, way.times)
         missing = [name for name in names[: self._first] if not name.exists()]
         if missing:
-            raise OSError(
-                f"{missing[0]} is missing; run without --resume to make all skins again."
-            )
+            raise OSError(f"{missing[0]} is missing; run without --resume to make all skins again.")
         return self._first
 
     def add(self, step: int, data: Any) -> None:

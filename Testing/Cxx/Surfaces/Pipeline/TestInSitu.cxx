@@ -230,6 +230,39 @@ TEST(TestInSitu, TimeGoesOnAfterARestart)
   }
 }
 
+// An emitter: the spacing, and with it the voxels, are unknown before the first particles.
+TEST(TestInSitu, ASkinBeginsWithTheFirstParticles)
+{
+  const auto cube = [](int i)
+  {
+    std::vector<Particle> particles;
+    for (int k = 0; i > 0 && k < 64; ++k)
+    {
+      particles.push_back({ k % 4 + 0.25 * i, k / 4 % 4 * 1.0, k / 16 * 1.0, k });
+    }
+    return particles;
+  };
+  for (const int empty : { 1, 2, 3 })
+  {
+    auto given = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+    given->SetParticleSpacing(1.0);
+    auto estimated = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+    MessageCapture messages(estimated);
+    for (int i = 0; i < empty + 3; ++i)
+    {
+      auto source = vtkSmartPointer<ParticleSource>::New();
+      source->SetCloud([&](double) { return cube(i - empty + 1); });
+      source->Update();
+      EXPECT_TRUE(given->Advance(source->GetOutput(), 0.2)) << "with a spacing";
+      EXPECT_TRUE(estimated->Advance(source->GetOutput(), 0.2)) << "without one";
+      EXPECT_EQ(given->GetOutput()->GetNumberOfPoints() > 0, i >= empty) << "frame " << i;
+      EXPECT_TRUE(GetBytes(estimated) == GetBytes(given)) << "frame " << i << " of " << empty;
+    }
+    EXPECT_EQ(MessageCapture::Count(messages.Warnings, "follow from the first particles"), 1)
+      << "notes";
+  }
+}
+
 // The alternative of VTK 9.4 and later. No time is requested twice, whatever the user does.
 TEST(TestInSitu, NoPriorAccessIsObeyed)
 {
