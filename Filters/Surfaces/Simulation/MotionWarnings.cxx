@@ -15,7 +15,8 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << (end.MayComeBack ? "; it reappears where the target does."
+         << (end.MayComeBack ? "; it reappears where the target does, unless Tension is too "
+                               "large."
                              : "; it does not reappear. Check that the target exists until then "
                                "and overlaps the initial shape. Turn CreateParts on, if off; "
                                "lower Tension, if set.");

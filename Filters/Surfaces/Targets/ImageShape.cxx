@@ -144,9 +144,9 @@ std::string DescribeNotFinite(vtkDataArray* values)
     return "";
   }
   return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
-    " values are not finite (NaN or infinity). NaN counts as outside in the first skin "
-    "and in smoothed masks, where hollows may appear; elsewhere NaN does not attract the skin. "
-    "Replace these values by finite values.";
+    " values are not finite (NaN or infinity). NaN counts as outside in the first skin, in "
+    "new parts and in smoothed masks, where hollows may appear; elsewhere NaN does not attract the "
+    "skin. Infinity counts by its sign. Replace these values by finite values.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
