@@ -104,7 +104,7 @@ class morph(Skins):
         for name in _OF_DURATION & set(options):
             raise TypeError(f"morph has duration and frames in place of {name}; leave {name} out.")
         if int(frames) != frames or frames < 2:
-            raise ValueError(f"frames has to be a whole number of 2 or more, not {frames}.")
+            raise ValueError(f"frames has to be a whole number of 2 or more, not {frames!r}.")
         if fit not in FITS:
             raise ValueError(f"fit is one of {', '.join(FITS)}, not {fit!r}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]

@@ -192,7 +192,7 @@ class ParticleSeries(TemporalSource):
         Times do not increase, or are not one for each frame; times and fps are both given; no frame
         is given; fps is out of range; a condition is malformed.
     TypeError
-        A callable is given without times, or frames have a wrong type.
+        A callable is given without times, or frames is neither iterable nor callable.
     OSError
         A file does not exist or cannot be read.
 

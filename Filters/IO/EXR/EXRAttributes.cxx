@@ -185,7 +185,7 @@ void AddTimeCode(Imf::Header& header, const std::string& text)
   {
     throw FileError(vtkErrorCode::UserError,
       "TimeCode \"" + text +
-        "\" has to be hours:minutes:seconds:frame, as in 01:00:00:12, up to 23:59:59:59");
+        "\" has to be hours:minutes:seconds:frame, as in 01:00:00:12, up to 23:59:59:29");
   }
   Imf::addTimeCode(header, Imf::TimeCode(hours, minutes, seconds, frame));
 }

@@ -53,8 +53,8 @@ std::vector<std::int64_t> ReadIds(vtkDataArray* array)
     {
       throw std::invalid_argument(std::string("The array \"") +
         (array->GetName() ? array->GetName() : "") +
-        "\" cannot be used as the particles' ids, which have to be integers within +-2^53; "
-        "choose another array.");
+        "\" cannot be used as the particles' ids, which have to be integers (in arrays of "
+        "floats within +-2^53); choose another array.");
     }
   }
   vtkNew<vtkTypeInt64Array> ids;

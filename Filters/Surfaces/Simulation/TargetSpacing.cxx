@@ -137,8 +137,9 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
   if (this->EstimatedSpacing == 0.0)
   {
     throw std::invalid_argument(
-      "The particles' spacing cannot be estimated, because there is only one particle, or "
-      "all particles coincide; set ParticleSpacing or KernelRadius, or choose an array of radii.");
+      "The particles' spacing cannot be estimated, because there is only one usable point, or "
+      "all usable points coincide; set ParticleSpacing or KernelRadius, or choose an array of "
+      "radii.");
   }
   this->ReportSpacing(frame->HasRadii);
 }
