@@ -176,8 +176,8 @@ class ParticleSeries(TemporalSource):
     Parameters
     ----------
     frames : iterable of particles or of files, one file, pattern or folder, or callable(time)
-        Particles in a form that `as_particles` accepts, or images; files as for `active-surface
-        skin`.
+        Particles in a form that `as_particles` accepts, but a vtkPolyData keeps its cells (polygons
+        are a mesh, lines a skeleton), or images; files as for `active-surface skin`.
     times : sequence of float, optional
         Time of each frame [time], increasing; required for a callable.
     fps : float, optional
