@@ -142,6 +142,7 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
     """Adds atomic numbers, radii and element symbols, unless no symbol has a known radius.
 
+    Radii and elements of the file stay.
     Symbols are read as atom names if `are_names` is true; else _elements_of decides.
     `unit` is one Angstrom in the unit of the positions.
     """
@@ -165,7 +166,8 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             names = [table.GetSymbol(n) if n else "" for n in numbers]
             frame.setdefault("element", numpy.array(names, dtype=str))
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
-            frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
+            usual = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
+            frame.setdefault("radius", usual)
     if unknown:
         effect = "get the radius 0" if are_known else "get no radius from it"
         warn(

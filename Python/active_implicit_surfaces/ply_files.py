@@ -29,6 +29,7 @@ _TYPES = {
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 _COLOURS = ("red", "green", "blue", "alpha")
 _TEXTURES = (("u", "v"), ("s", "t"), ("texture_u", "texture_v"))
+_CORNERS = ("vertex_indices", "vertex_index")
 _ENDS_EARLY = "it is damaged: it ends before the end of its last element"
 
 
@@ -176,11 +177,13 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     if arrays:
         mesh.SetPoints(vtk_points(arrays.pop("positions")))
     if faces:
-        corners = [faces.pop(name, None) for name in ("vertex_indices", "vertex_index")]
+        corners = [faces.pop(name, None) for name in _CORNERS]
         rows = next((own for own in corners if own is not None), None)
         if rows is None:
             raise _DamageError("its faces have no vertex_indices")
         mesh.SetPolys(_polygons(rows, mesh.GetNumberOfPoints()))
+    if strips := found.get("tristrips"):
+        mesh.SetStrips(_strips(strips, mesh.GetNumberOfPoints()))
     _add_arrays(mesh, mesh.GetPointData(), arrays)
     _add_arrays(mesh, mesh.GetCellData(), {n: own for n, own in faces.items() if _is_number(own)})
     if lost := [name for name, own in faces.items() if not _is_number(own)]:
@@ -200,6 +203,17 @@ def _polygons(rows: Sequence[Any], count: int) -> Any:
     if ids.size and (ids.min() < 0 or ids.max() >= count):
         raise _DamageError("it is damaged: a polygon refers to a vertex that does not exist")
     return cell_array(numpy.cumsum(numpy.array([0, *lengths])), ids)
+
+
+def _strips(columns: dict[str, Any], count: int) -> Any:
+    """Returns the strips of an element "tristrips": lists in which -1 ends a strip."""
+    rows = next((columns[name] for name in _CORNERS if name in columns), None)
+    if rows is None:
+        raise _DamageError("its tristrips have no vertex_indices")
+    strips: list[Any] = []
+    for row in map(numpy.asarray, rows):
+        strips += [part[part != -1] for part in numpy.split(row, numpy.flatnonzero(row == -1))]
+    return _polygons([own for own in strips if own.size > 2] or [numpy.zeros(0, int)], count)
 
 
 def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:

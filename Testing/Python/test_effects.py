@@ -72,6 +72,7 @@ class Errors(CommandTest):
                 "z",
             ): "on pictures (--render of skin and morph) or on a .glb",
             ("convert", "a.stl", "-o", "c.ply", "--up", "z"): "on a .glb or on a .usdc",
+            ("convert", "a.stl", "-o", "c.ply", "--level", 0): "from an image to a mesh",
             (*skin, "--times", "0,1", "--fps", 24): "without --times or on pictures",
             (*film, "--index", "a.pvd"): "on skins that are written (-o)",
             (*film, "--compute-velocity"): "on skins that are written (-o) or on .exr pictures",

@@ -94,6 +94,18 @@ class MeshFiles(CommandTest):
         said = self.succeed("convert", "a.ply", "-o", "a.vtp").err
         self.assertIn("a.ply: list properties of polygons are left out: texcoord.", said)
 
+    def test_a_ply_of_strips(self):
+        head = "ply\nformat ascii 1.0\nelement vertex 4\n"
+        head += "".join(f"property float {axis}\n" for axis in "xyz")
+        head += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        head += "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+        for count in (12, 13):
+            self.put(f"{count}.ply", head + f"{count} 0 2 1 3 -1 0 3 2 -1 0 1 3\n")
+        told = json.loads(self.succeed("info", "12.ply", "--json").out)
+        self.assertAlmostEqual(told["volume"], 1 / 6)
+        self.assertEqual(told["closed"], "yes")
+        self.assertIn("it ends before", self.fail_with(1, "info", "13.ply"))
+
     def test_a_ply_in_capital_letters(self):
         text = ply("uchar", COLOURS)
         for name in "xyz":

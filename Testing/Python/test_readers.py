@@ -236,6 +236,12 @@ class Molecules(ReaderTest):
         cloud = open_particles(self.put("a.extxyz", "2\n\n1 2 3\n4 5 6\n")).load(0)
         self.assert_points(cloud, [[1, 2, 3], [4, 5, 6]])
 
+    def test_radii_of_the_file_stay(self):
+        text = "2\nProperties=species:S:1:pos:R:3:radius:R:1\nH 0 0 0 1.5\nO 1 0 0 0.5\n"
+        cloud = open_particles(self.put("a.xyz", text)).load(0)
+        self.assertEqual(array_of(cloud, "radius"), [1.5, 0.5])
+        self.assertEqual(array_of(cloud, "atomic_number"), [1, 8])
+
     def test_keys_in_any_letters(self):
         text = "1\nproperties=pos:R:3:q:R:1 T=2.5\n1 2 3 4\n1\nPROPERTIES=pos:R:3 t=3\n1 2 3\n"
         series = open_particles(self.put("a.xyz", text))

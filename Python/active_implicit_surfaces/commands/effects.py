@@ -116,7 +116,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
             own = properties.find(name[len(_START) :])
             if own.kind != "switch" or value != own.default:
                 yield own.option if value is not False else f"--no-{own.option[2:]}", rows_of(own)
-        elif value not in (None, False):
+        elif value is not None and value is not False:
             yield "--" + name.replace("_", "-"), _rows(name)
 
 
