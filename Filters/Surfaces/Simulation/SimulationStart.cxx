@@ -14,8 +14,8 @@ namespace
 
 constexpr const char* NothingToStartOn =
   "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
-  "begins when the target appears, turn CreateParts on and set ModelBounds or, for particles, "
-  "ParticleSpacing; or set an initial shape.";
+  "begins with the first particles, turn CreateParts on; for another target, set ModelBounds, too; "
+  "or set an initial shape.";
 constexpr const char* NothingYet =
   "The target is empty at the first time step, so there is no skin and no voxel size. Both follow "
   "from the first particles. For another target, set ModelBounds or an initial shape.";
@@ -23,12 +23,12 @@ constexpr const char* NothingYet =
 }
 
 // A surface that began without a domain gets the voxel size of the domain as soon as there is one.
-void SurfaceSimulation::FindLattice()
+void SurfaceSimulation::UseNewDomain()
 {
   const SurfaceDomain* domain = this->FindDomain();
-  const int step = this->Path.GetStep();
   if (this->LacksDomain && domain)
   {
+    const int step = this->Path.GetStep();
     auto band = std::make_unique<NarrowBand>(domain->VoxelSize);
     band->StartEmpty(this->Settings.GetMotionTimeOf(step).Value, domain->Bounds);
     this->Path.Begin(step, std::move(band));

@@ -250,7 +250,7 @@ bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
   {
     return this->Start(progress);
   }
-  this->FindLattice();
+  this->UseNewDomain();
   if (this->Settings.IsEquilibrium())
   {
     return this->AdvanceToSteadyState(progress);

@@ -275,7 +275,7 @@ private:
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
   bool AdvanceLeg(const ProgressFunction& progress);
-  void FindLattice();
+  void UseNewDomain();
   bool Start(const ProgressFunction& progress);
   bool StartBand(const ProgressFunction& progress);
   bool AdvanceStep(const ProgressFunction& progress);
