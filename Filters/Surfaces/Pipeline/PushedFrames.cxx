@@ -48,7 +48,7 @@ void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
 
 // Copies the arrays of an image: a target keeps these arrays (ImageShape.cxx), but the caller may
 // overwrite them for the next frame. Shares other arrays, which a target copies.
-vtkSmartPointer<vtkDataObject> Share(vtkDataObject* data)
+vtkSmartPointer<vtkDataObject> MakeFrame(vtkDataObject* data)
 {
   auto frame = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
   frame->ShallowCopy(data);
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkDataObject> Share(vtkDataObject* data)
       vtkDataObjectTree::SafeDownCast(data)->NewIterator());
     for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
     {
-      tree->SetDataSet(block, Share(block->GetCurrentDataObject()));
+      tree->SetDataSet(block, MakeFrame(block->GetCurrentDataObject()));
     }
   }
   return frame;
@@ -133,7 +133,7 @@ void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data
     this->Times = resumed;
   }
   this->Before = this->Newest;
-  this->Newest = Share(data);
+  this->Newest = MakeFrame(data);
   this->Show(this->Newest);
   if (!this->AreConnected())
   {
