@@ -90,6 +90,8 @@ TEST(TestAgreement, TheFirstOfSeveralSentencesIsTold)
 TEST(TestAgreement, WhatIsWrongOnAllRanksIsOfNone)
 {
   EXPECT_EQ(RunToError(3, [](Agreement& ranks) { ranks.Fail("no target."); }), "no target.");
+  EXPECT_EQ(RunToError(3, [](Agreement& ranks) { ranks.Fail(""); }),
+    "An error without a description occurred.");
 }
 
 TEST(TestAgreement, AllKnowThatMemoryHasEnded)

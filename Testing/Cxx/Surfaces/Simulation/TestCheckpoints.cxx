@@ -33,7 +33,7 @@ using namespace activesurface;
 namespace TestCheckpoints
 {
 
-// Two drops that meet and separate again, and a third one at rest, in 31 steps.
+// Two drops that meet and separate again, and a third one that does not move, in 31 steps.
 vtkSmartPointer<ParticleSource> MakeDrops()
 {
   auto source = vtkSmartPointer<ParticleSource>::New();
