@@ -182,10 +182,14 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
         if rows is None:
             raise _DamageError("its faces have no vertex_indices")
         mesh.SetPolys(_polygons(rows, mesh.GetNumberOfPoints()))
-    if strips := found.get("tristrips"):
-        mesh.SetStrips(_strips(strips, mesh.GetNumberOfPoints()))
     _add_arrays(mesh, mesh.GetPointData(), arrays)
-    _add_arrays(mesh, mesh.GetCellData(), {n: own for n, own in faces.items() if _is_number(own)})
+    if strips := _strips(found.get("tristrips", {})):
+        mesh.SetStrips(_polygons(strips, mesh.GetNumberOfPoints()))
+        if beside := [name for name, own in faces.items() if _is_number(own)]:
+            warn(f"{path}: properties of polygons beside strips are left out: {', '.join(beside)}.")
+    else:
+        numbers = {name: own for name, own in faces.items() if _is_number(own)}
+        _add_arrays(mesh, mesh.GetCellData(), numbers)
     if lost := [name for name, own in faces.items() if not _is_number(own)]:
         warn(f"{path}: list properties of polygons are left out: {', '.join(lost)}.")
     return mesh
@@ -205,15 +209,15 @@ def _polygons(rows: Sequence[Any], count: int) -> Any:
     return cell_array(numpy.cumsum(numpy.array([0, *lengths])), ids)
 
 
-def _strips(columns: dict[str, Any], count: int) -> Any:
+def _strips(columns: dict[str, Any]) -> list[Any]:
     """Returns the strips of an element "tristrips": lists in which -1 ends a strip."""
     rows = next((columns[name] for name in _CORNERS if name in columns), None)
-    if rows is None:
+    if columns and rows is None:
         raise _DamageError("its tristrips have no vertex_indices")
     strips: list[Any] = []
-    for row in map(numpy.asarray, rows):
+    for row in map(numpy.asarray, () if rows is None else rows):
         strips += [part[part != -1] for part in numpy.split(row, numpy.flatnonzero(row == -1))]
-    return _polygons([own for own in strips if own.size > 2] or [numpy.zeros(0, int)], count)
+    return [own for own in strips if own.size > 2]
 
 
 def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:

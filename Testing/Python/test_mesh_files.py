@@ -105,6 +105,12 @@ class MeshFiles(CommandTest):
         self.assertAlmostEqual(told["volume"], 1 / 6)
         self.assertEqual(told["closed"], "yes")
         self.assertIn("it ends before", self.fail_with(1, "info", "13.ply"))
+        face = "element face 1\nproperty list int int vertex_indices\nproperty int n\nelement tri"
+        text = (head + "3 0 1 2 7\n5 0 2 1 3 -1\n").replace("element tri", face)
+        self.put("both.ply", text)
+        said = self.succeed("info", "both.ply")
+        self.assertIn("properties of polygons beside strips are left out: n.", said.err)
+        self.assertIn("arrays: none", said.out)
 
     def test_a_ply_in_capital_letters(self):
         text = ply("uchar", COLOURS)
