@@ -104,7 +104,7 @@ class Presets(unittest.TestCase):
         surface, _ = splash()
         with self.assertRaisesRegex(ValueError, "no preset 'oil'"):
             paraview_presets.apply("oil", surface)
-        with self.assertRaisesRegex(ValueError, "Select an Active Implicit Surface"):
+        with self.assertRaisesRegex(ValueError, "The source is no Active Implicit Surface"):
             paraview_presets.apply("viscous", Sphere())
 
 
