@@ -143,6 +143,23 @@ class Labels(unittest.TestCase):
         found = numpy.abs(numpy.linalg.norm(back - CENTER, axis=1) - RADIUS).mean()
         self.assertAlmostEqual(found, errors(straight).mean(), delta=0.05)
 
+    def test_fine_voxels_keep_bound_and_symmetry(self):
+        values = numpy.zeros((12, 12, 12), "u1")
+        values[4:8, 4:8, 4:8] = 1  # faces at 3.5 and 7.5
+        for voxel in (0.5, 0.25, 0.125):
+            for origin in ((0, 0, 0), (0, 0.3, 0.7)):
+                with self.subTest(voxel=voxel, origin=origin):
+                    image = image_of(values)
+                    image.SetOrigin(origin)
+                    surface = skin_of(image, VoxelSize=voxel)
+                    self.assert_volume(surface.GetOutput(), 64)
+                    low, high = numpy.reshape(surface.GetOutput().GetBounds(), (3, 2)).T - origin
+                    bulges = numpy.concatenate([3.5 - low, high - 7.5])
+                    self.assertGreater(bulges.min(), 0.35)
+                    self.assertLess(bulges.max(), 0.5)
+                    if not any(origin):
+                        self.assertLess(numpy.ptp(bulges), 1e-4)
+
     def test_voxels_of_any_size(self):
         values = ball_label(ISOTROPIC)
         for voxel in (0.4, 2.0, 3.1):

@@ -19,6 +19,9 @@ inline bool AreSame(const NodeIndex& a, const NodeIndex& b)
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
+/** Limit of |u| and |psi| in the node scheme [voxels; with NodeFreedom in its Unit]. */
+constexpr float NodeLimit = 3.f;
+
 /** A leaf of 8^3 nodes that the surface of the target may cross. A row is 8 nodes along z; row (x,
  * y) is bit 8 x + y. */
 struct ShellLeaf
@@ -65,6 +68,9 @@ struct NodeFreedom
   /** Lower bound of the potential's slope [1/voxel]: in thin parts central differences give smaller
    * slopes. */
   float LeastSlope = 0.f;
+  /** Unit of the distances in the stages [voxels], at least 1. Stages know distances up to
+   * NodeLimit units from the target's surface. */
+  float Unit = 1.f;
 };
 
 class NodeTarget

@@ -62,7 +62,8 @@ struct DistanceKernel
     {
       const float* c = block.Row(row >> 3, row & 7);
       const Lanes value = LoadLanes(c);
-      const Lanes slope = Largest(SlopeOf(c), AllLanes(this->Freedom.LeastSlope));
+      const Lanes slope =
+        AllLanes(this->Freedom.Unit) * Largest(SlopeOf(c), AllLanes(this->Freedom.LeastSlope));
       const LaneMask isNear = Size(value) < slope * AllLanes(NodeLimit);
       const Lanes side = value < AllLanes(0.f) ? AllLanes(-NodeLimit) : AllLanes(NodeLimit);
       StoreLanes(
@@ -83,7 +84,7 @@ struct StageKernel
   const StageCoefficients& Coefficients;
   float Share; // duration of the stage
   float Fine;  // see StagePlan
-  float Shift; // added to the potential, within the slack
+  float Shift; // added to the potential near the surface, within the slack
 
   /** In the second loop, each row needs a chain of divisions. The processor overlaps the chains of
    * several rows, because the first loop has found the tension and iterations are short. */
@@ -102,7 +103,7 @@ struct StageKernel
     for (std::uint64_t rows = leaf.Rows; rows != 0; rows &= rows - 1)
     {
       const int row = LowestBit(rows);
-      if (StaysFar(LoadLanes(before + 8 * row), LoadLanes(psi + 8 * row)))
+      if (BitsOf(AreFar(LoadLanes(before + 8 * row), LoadLanes(psi + 8 * row))) == 0xffu)
       {
         moving &= ~(std::uint64_t(1) << row);
         continue;
@@ -123,18 +124,17 @@ struct StageKernel
       {
         const Lanes slack = LoadLanes(this->Fields.Slack->Of(i) + at);
         moved = Least(Largest(moved + AllLanes(this->Shift), target - slack), target + slack);
+        moved = Pick(AreFar(LoadLanes(before + at), target), target, moved);
       }
       StoreLanes(next + at, Clamp(moved, NodeLimit));
     }
   }
 
 private:
-  static ACTIVE_ALWAYS_INLINE bool StaysFar(const Lanes& u, const Lanes& psi)
+  static ACTIVE_ALWAYS_INLINE LaneMask AreFar(const Lanes& u, const Lanes& psi)
   {
     constexpr float far = .999f * NodeLimit;
-    const LaneMask isFar =
-      (u * psi > AllLanes(0.f)) & (Size(u) >= AllLanes(far)) & (Size(psi) >= AllLanes(far));
-    return BitsOf(isFar) == 0xffu;
+    return (u * psi > AllLanes(0.f)) & (Size(u) >= AllLanes(far)) & (Size(psi) >= AllLanes(far));
   }
 
   /** Returns b g kappa |grad u|; see NodeStages.h. */
@@ -231,12 +231,13 @@ public:
     , AtStart(this->Estimate().Volume)
   {
   }
-  /** Returns the shift of the potential [voxels] that restores the volume, to first order; 0
-   * without freedom. */
+  /** Returns the shift of the potential that restores the volume, to first order; 0 without
+   * freedom. */
   float FindShift()
   {
     const SkinEstimate now = this->Estimate();
-    return now.Area > 0.0 ? static_cast<float>((now.Volume - this->AtStart) / now.Area) : 0.f;
+    const double distance = now.Area > 0.0 ? (now.Volume - this->AtStart) / now.Area : 0.0;
+    return static_cast<float>(distance / static_cast<double>(this->Fields.Unit));
   }
 
 private:
@@ -262,7 +263,7 @@ private:
     SkinEstimate leaf;
     for (int node = 0; node < 512; ++node)
     {
-      const float inside = .5f - values[node];
+      const float inside = .5f - this->Fields.Unit * values[node];
       leaf.Volume += static_cast<double>(std::min(std::max(inside, 0.f), 1.f));
       leaf.Area += inside > 0.f && inside < 1.f ? 1.0 : 0.0;
     }

@@ -12,7 +12,8 @@
  * any number of stages.
  *
  * Around a target with NodeFreedom there is no attraction, w stays within psi +- slack, and each
- * stage also shifts w to keep the volume. Slack is the half-width of the freedom [voxels].
+ * stage also shifts w to keep the volume. Slack is the half-width of the freedom. The unit of psi,
+ * w and slack is then NodeFreedom::Unit instead of a voxel.
  */
 #ifndef NodeStages_h
 #define NodeStages_h
@@ -47,12 +48,13 @@ struct NodeFields
   NodeArrays& Room; //< overwritten
   const NodeHalo& Halo;
   const NodeArrays* Slack; //< null: none
+  float Unit;              //< NodeFreedom::Unit
 };
 
-/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit; with a freedom, also the
- * slack = HalfWidth / |grad G|. A smaller |grad G| than LeastSlope counts as LeastSlope. G is
- * `potential`, which is + or - 1 outside the rows of the shell. Where |grad G| vanishes, psi is +
- * or - NodeLimit, unless LeastSlope > 0. */
+/** Sets psi = G / |grad G| by central differences, divided by the freedom's Unit and clamped to
+ * +-NodeLimit; with a freedom, also the slack = HalfWidth / |grad G| / Unit. A smaller |grad G|
+ * than LeastSlope counts as LeastSlope. G is `potential`, which is + or - 1 outside the rows of the
+ * shell. Where |grad G| vanishes, psi is + or - NodeLimit, unless LeastSlope > 0. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential,
   const NodeFreedom& freedom, NodeArrays& psi, NodeArrays& slack);
 

@@ -58,15 +58,16 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   this->Halo.Refresh(this->Room);
   this->Freedom = target.GetFreedom();
   FindDistances(this->Leaves, this->Room, this->Freedom, this->Psi, this->Slack);
-  this->Confine(this->Psi, frame, motion);
+  this->Confine(this->Psi, this->Freedom.Unit, frame, motion);
   this->FetchOld(frame, target);
   this->Carry(frame, target);
   const StageCoefficients coefficients = this->FindCoefficients(frame, motion, target);
   RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room,
-              this->Halo, this->IsFree() ? &this->Slack : nullptr },
+              this->Halo, this->IsFree() ? &this->Slack : nullptr, this->Freedom.Unit },
     coefficients);
+  this->ConvertToVoxels();
   this->RestOnWalls(frame, motion, target.GetWallGap());
-  this->Confine(this->Potential, frame, motion);
+  this->Confine(this->Potential, 1.f, frame, motion);
   this->KeepWhatRests(frame.Old, RestingChange * coefficients.Decay);
   this->Repeat(frame, motion, target);
   this->Halo.Refresh(this->Potential);
@@ -178,6 +179,22 @@ void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
     });
 }
 
+/** Converts the potential from the freedom's Unit to voxels. */
+void NodeStep::ConvertToVoxels()
+{
+  const float unit = this->Freedom.Unit;
+  if (unit > 1.f)
+  {
+    this->Leaves.ForEach(
+      [&](std::size_t i)
+      {
+        float* values = this->Potential.Of(i);
+        std::transform(values, values + 512, values,
+          [unit](float value) { return std::clamp(unit * value, -NodeLimit, NodeLimit); });
+      });
+  }
+}
+
 bool NodeStep::StaysFar(std::size_t i) const
 {
   const float *psi = this->Psi.Of(i), *carried = this->Potential.Of(i);
@@ -242,7 +259,7 @@ void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTa
   ForEachBeyond(this->Leaves, lattice, true,
     [&](std::size_t i, const NodeIndex&)
     { std::copy_n(this->Room.Of(i), 512, this->Potential.Of(i)); });
-  this->Confine(this->Potential, frame, motion);
+  this->Confine(this->Potential, 1.f, frame, motion);
 }
 
 }

@@ -59,9 +59,10 @@ private:
     const NodeFrame& frame, const Motion& motion, const NodeTarget& target) const;
   static bool IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion);
   void RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap);
-  void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
+  void Confine(NodeArrays& numbers, float unit, const NodeFrame& frame, const Motion& motion);
   void FetchOld(const NodeFrame& frame, const NodeTarget& target);
   void Carry(const NodeFrame& frame, const NodeTarget& target);
+  void ConvertToVoxels();
   bool StaysFar(std::size_t i) const;
   void Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target);
   void KeepWhatRests(const OldPotential& old, float tolerance);

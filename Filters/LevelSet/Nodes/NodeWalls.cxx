@@ -191,9 +191,10 @@ void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float g
     });
 }
 
-/** Raises numbers to at least the depths in walls and obstacle, at most NodeLimit [voxels]. Sets
- * Rows to all rows in leaves near walls or obstacle. */
-void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
+/** Raises numbers to at least the depths in walls and obstacle, at most to NodeLimit. Sets Rows to
+ * all rows in leaves near walls or obstacle. unit: of the numbers [voxels]. */
+void NodeStep::Confine(
+  NodeArrays& numbers, float unit, const NodeFrame& frame, const Motion& motion)
 {
   if (!motion.Box.Present && !motion.Solid)
   {
@@ -212,7 +213,7 @@ void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion
       float* values = numbers.Of(i);
       for (int n = 0; n < 512; ++n)
       {
-        values[n] = std::min(std::max(values[n], depths[n]), NodeLimit);
+        values[n] = std::min(std::max(values[n], depths[n] / unit), NodeLimit);
       }
     });
 }

@@ -16,9 +16,6 @@ namespace activesurface
 
 class Domain;
 
-/** Limit of |u| and |psi| in the node scheme [voxels]. */
-constexpr float NodeLimit = 3.f;
-
 /** A leaf of the last frame; the pointers are null if the leaf does not exist. */
 struct OldLeaf
 {

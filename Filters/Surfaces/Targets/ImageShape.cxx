@@ -190,7 +190,7 @@ vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
   if (values)
   {
     // Shares the array. VTK's algorithms do not overwrite an image's array while another object
-    // refers to it. A caller of Advance who overwrites the array changes the stored frame, too.
+    // refers to it.
     image->GetPointData()->SetScalars(AsSamples(values, input.Data));
   }
   else

@@ -16,8 +16,12 @@ namespace activesurface
 namespace
 {
 
-// Distance [voxels] at which the potential of EvaluateLeaf is 1: more than NodeLimit.
+// Distance at which the potential of EvaluateLeaf is 1 [NodeFreedom::Unit]: more than NodeLimit.
 constexpr double Farthest = 4.0;
+
+// Distance that the stages know beyond the skin's farthest place [voxels]: differences reach two
+// nodes.
+constexpr double Margin = 2.0;
 
 // Automatic freedom [pixels]. The surface of a label is unknown within half a pixel. The freedom is
 // less, because conservation of volume and interpolation between nodes also displace the skin.
@@ -27,8 +31,9 @@ constexpr double UsualFreedom = 0.47;
 constexpr double Absent = 3.5;
 
 // Extends the range `low` to `high` of leaves so that it contains the box of a grid, enlarged by
-// Farthest.
-void AddBox(vtkImplicitFunction* function, double voxelSize, NodeIndex& low, NodeIndex& high)
+// `reach` voxels.
+void AddBox(
+  vtkImplicitFunction* function, double voxelSize, double reach, NodeIndex& low, NodeIndex& high)
 {
   double bounds[6];
   auto grid = vtkGridPotential::SafeDownCast(function);
@@ -38,10 +43,10 @@ void AddBox(vtkImplicitFunction* function, double voxelSize, NodeIndex& low, Nod
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    low[axis] = std::min(
-      low[axis], static_cast<int>(std::floor(bounds[2 * axis] / voxelSize - Farthest)) & ~7);
+    low[axis] =
+      std::min(low[axis], static_cast<int>(std::floor(bounds[2 * axis] / voxelSize - reach)) & ~7);
     high[axis] = std::max(
-      high[axis], static_cast<int>(std::ceil(bounds[2 * axis + 1] / voxelSize + Farthest)) & ~7);
+      high[axis], static_cast<int>(std::ceil(bounds[2 * axis + 1] / voxelSize + reach)) & ~7);
   }
 }
 
@@ -72,14 +77,23 @@ void LabelTarget::PlaceNodes(const NodeMotion& motion)
       this->LargestPixel = std::max(this->LargestPixel, facts->LargestPixel);
     }
   }
+  const double width = FindFreedom(this->GetOptions(), this->LeastPixel);
+  const double farthestSkin = width * this->LargestPixel / this->VoxelSize;
+  this->Unit = width > 0.0 ? std::max(1.0, (farthestSkin + Margin) / double(NodeLimit)) : 1.0;
 }
 
 NodeFreedom LabelTarget::GetFreedom() const
 {
-  const double scale = this->LeastPixel / (this->VoxelSize * Farthest);
+  const double scale = this->LeastPixel / this->GetReach();
   const double width = FindFreedom(this->GetOptions(), this->LeastPixel);
   return { static_cast<float>(scale * width),
-    static_cast<float>(scale * this->VoxelSize / this->LargestPixel) };
+    static_cast<float>(scale * this->VoxelSize / this->LargestPixel),
+    static_cast<float>(this->Unit) };
+}
+
+double LabelTarget::GetReach() const
+{
+  return this->VoxelSize * this->Unit * Farthest;
 }
 
 // Finds distances in pixels to the label of one step.
@@ -131,7 +145,7 @@ bool LabelTarget::IsUniform(const Block& block, double& distance) const
   const double half = 0.5 * block.Size;
   distance =
     this->DistanceAt({ block.Origin[0] + half, block.Origin[1] + half, block.Origin[2] + half });
-  const double radius = this->VoxelSize * (std::sqrt(3.0) * half + Farthest);
+  const double radius = this->VoxelSize * std::sqrt(3.0) * half + this->GetReach();
   return std::fabs(distance) * this->LeastPixel > radius;
 }
 
@@ -171,8 +185,9 @@ void LabelTarget::FindShell(bool wantsInside, Shell& shell) const
   shell.Leaves.clear();
   shell.InsideLeaves.clear();
   NodeIndex low = { none, none, none }, high = { -none, -none, -none };
-  AddBox(this->Earlier.Source, this->VoxelSize, low, high);
-  AddBox(this->Blend > 0.0 ? this->Later.Source : nullptr, this->VoxelSize, low, high);
+  const double reach = this->GetReach() / this->VoxelSize;
+  AddBox(this->Earlier.Source, this->VoxelSize, reach, low, high);
+  AddBox(this->Blend > 0.0 ? this->Later.Source : nullptr, this->VoxelSize, reach, low, high);
   int size = 8;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -199,7 +214,7 @@ void LabelTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
     points[3 * n + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
   }
   this->SampleNodes(512, points, distances);
-  const double scale = this->LeastPixel / (this->VoxelSize * Farthest);
+  const double scale = this->LeastPixel / this->GetReach();
   std::transform(distances, distances + 512, values,
     [scale](double distance)
     { return static_cast<float>(std::clamp(scale * distance, -1.0, 1.0)); });
