@@ -198,6 +198,19 @@ class Truths(unittest.TestCase):
         at(surface, 39)
         self.assertTrue(numpy.array_equal(before, points_of(surface)))
 
+    def test_particles_without_ids_may_enter_far_parts_of_the_last_band(self):
+        lattice = numpy.indices((5, 5, 5)).reshape(3, -1).T.astype(float)
+        surface = skin_of(lambda t: (lattice[: 50 + int(t)] + [1.3 * t, 0, 0], None), steps=2)
+        surface.SetInputArrayToProcess(1, 0, 0, 0, "")
+        found = []
+        for time in (0.0, 1.0):
+            surface.UpdateTimeStep(time)
+            found.append(
+                (points_of(surface.GetOutput()).min(axis=0), volume_of(surface.GetOutput()))
+            )
+        self.assertLess(abs(found[1][0] - found[0][0] - [1.3, 0, 0]).max(), 0.25 * R)
+        self.assertAlmostEqual(found[1][1] / found[0][1], 51 / 50, delta=0.1)
+
     def test_what_only_substeps_have_is_told(self):
         for properties in (
             {"InvertTarget": True},

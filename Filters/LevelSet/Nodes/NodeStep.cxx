@@ -17,7 +17,8 @@ namespace
 {
 
 /** A leaf without noticeable displacement (LeafMotion::IsStill) stays bitwise identical if u
- * changes by at most RestingChange * Attraction dt [voxels] in layers 0 and 1. */
+ * changes by at most RestingChange * Attraction dt [voxels] in layers 0 and 1, and within a voxel
+ * of the new skin. */
 constexpr float RestingChange = 3e-4f;
 
 /** Attraction * duration for which tension acts on a skin with NodeFreedom. */
@@ -214,13 +215,17 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
         return;
       }
       float* now = this->Potential.Of(i);
+      const auto changes = [&](int node)
+      {
+        const float kept = std::min(std::max(before.Value[node], -NodeLimit), NodeLimit);
+        return !(std::fabs(kept - now[node]) <= tolerance);
+      };
       bool rests = true;
-      before.FirstLayers->ForEach(
-        [&](int node)
-        {
-          const float kept = std::min(std::max(before.Value[node], -NodeLimit), NodeLimit);
-          rests = rests && std::fabs(kept - now[node]) <= tolerance;
-        });
+      before.FirstLayers->ForEach([&](int node) { rests = rests && !changes(node); });
+      for (int node = 0; rests && node < 512; ++node)
+      {
+        rests = !(std::fabs(now[node]) < 1.f && changes(node));
+      }
       if (rests)
       {
         std::copy_n(before.Value, 512, now);
