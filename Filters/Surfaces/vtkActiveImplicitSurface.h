@@ -341,7 +341,8 @@ public:
    * explicit substeps rises with Tension / VoxelSize^2. Range: >= 0, or -1, automatic: Attraction *
    * r^2 / 2 over particles of spacing 2 r (SUM, or TensionWeighting off: 0), Attraction * p^2 / 5
    * over masks of shortest pixel side p; 0 for other targets and in explicit substeps. Default:
-   * -1. */
+   * -1. Over moving particles with automatic Attraction, the first frame ignores a given Tension,
+   * with a warning. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}

@@ -14,6 +14,8 @@ from pathlib import Path
 import numpy
 from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
 from active_implicit_surfaces.data_objects import as_particles
+from active_implicit_surfaces.measures import measure
+from listener import Listener
 from shapes import points_of, volume_of, with_properties
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere
@@ -210,6 +212,25 @@ class Truths(unittest.TestCase):
             )
         self.assertLess(abs(found[1][0] - found[0][0] - [1.3, 0, 0]).max(), 0.25 * R)
         self.assertAlmostEqual(found[1][1] / found[0][1], 51 / 50, delta=0.1)
+
+    def test_tension_over_one_frame_without_an_attraction(self):
+        areas = []
+        for properties in ({}, {"Tension": 0.1}, {"Tension": 0.1, "Attraction": 1.0}):
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputData(as_particles(block(4)))
+            with_properties(surface, {"ParticleSpacing": 2 * R, "Tension": 0.0} | properties)
+            surface.Update()
+            areas.append(measure(surface.GetOutput())["area"])
+        self.assertEqual(areas[1], areas[2])
+        self.assertLess(areas[1], areas[0])
+
+    def test_the_first_of_many_frames_tells_of_a_tension_that_it_ignores(self):
+        for properties, number in (({}, 1), ({"Attraction": 6}, 0)):
+            surface = skin_of(lambda t: (block(3), range(27)), Tension=0.1, **properties)
+            heard = Listener(surface)
+            surface.UpdateTimeStep(0.0)
+            told = [text for text in heard.warnings if "without the given Tension" in text]
+            self.assertEqual(len(told), number)
 
     def test_what_only_substeps_have_is_told(self):
         for properties in (

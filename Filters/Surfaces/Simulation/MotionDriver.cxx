@@ -50,8 +50,7 @@ std::unique_ptr<Obstacle> MakeObstacle(
   return std::make_unique<Obstacle>(voxelSize, distances, sampler->IsThreadSafe(), origin);
 }
 
-// Least number of explicit substeps from one step to the next over a moving target. The target is
-// evaluated at least this often in the interval, even if the surface is slow.
+// Least number of explicit substeps from one step to the next over a moving target.
 constexpr double SubstepsOfMovingTarget = 4.0;
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
@@ -61,6 +60,9 @@ constexpr double ShareOfMargin = 0.5;
 constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
   "over their spacing. Change this setting, or set TimeIntegration to EXPLICIT to accept this.";
+constexpr char NoTensionAtStart[] =
+  "The first frame is without the given Tension, whose effect depends on the automatic Attraction "
+  "of an interval still unknown; set Attraction, too, or leave Tension automatic.";
 constexpr char NoSkinOnNodes[] =
   "The target has no surface that the voxels can resolve, or walls or the obstacle exclude it, so "
   "there is no skin; check VoxelSize, BoundedDomain, ObstacleFunction, Tension and, for particles, "
@@ -120,28 +122,25 @@ bool MotionDriver::StaysOnNodes() const
 }
 
 // Returns a given Tension divided by the attraction in the first interval. Returns 0 if that
-// attraction is 0 or unknown, and over particles if that attraction is automatic.
+// attraction is 0 or unknown, and over moving particles if that attraction is automatic.
 double MotionDriver::FindTensionAtStart(const Motion& motion) const
 {
-  if (!this->Settings.HasAutomaticAttraction())
+  if (!this->Settings.HasAutomaticAttraction() || !this->Settings.Inputs.TargetMoves)
   {
     return motion.Attraction > 0.0 ? motion.Tension / motion.Attraction : 0.0;
   }
-  if (this->Shapes.HasParticles(0, 0))
+  const bool isOnParticles = this->Shapes.HasParticles(0, 0);
+  if (isOnParticles && motion.Tension > 0.0)
   {
-    return 0.0;
+    this->Messages.Say("tension at start", NoTensionAtStart);
   }
-  const bool moves = this->Settings.Inputs.TargetMoves;
-  const double length =
-    moves && this->Settings.GetNumberOfSteps() > 1 ? this->Settings.GetMotionTimeOf(1).Value : 0.0;
-  return motion.Tension * (moves ? length / FactorsPerStep : 1.0);
+  const bool isKnown = !isOnParticles && this->Settings.GetNumberOfSteps() > 1;
+  return isKnown ? motion.Tension * this->Settings.GetMotionTimeOf(1).Value / FactorsPerStep : 0.0;
 }
 
 // Starts as after one time step with the automatic attraction, so that the first frame is as smooth
 // as later frames. This step's duration may be unknown yet. An automatic tension is proportional to
-// the attraction, so the tension's effect does not depend on the duration. If Attraction is
-// automatic, the effect of a given Tension would depend on the duration, so over particles this
-// Tension is ignored here.
+// the attraction, so the tension's effect does not depend on the duration.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
