@@ -379,8 +379,8 @@ public:
   /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
    * between disjoint shapes. A new part has its size in the target at once, or with ArrivalTime
    * grows from a core. Off: no part appears apart from the previous skin. No effect with
-   * PaperScheme. Without ArrivalTime, no effect on skeletons, and on functions other than
-   * vtkGridPotential. Default: on. */
+   * PaperScheme. Without ArrivalTime, no effect on skeletons, and on functions other than a
+   * vtkGridPotential without transform. Default: on. */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
   vtkBooleanMacro(CreateParts, vtkTypeBool);
