@@ -109,7 +109,8 @@
  * - On one process, piece 0 of several pieces has the whole skin and history; the image is split.
  *
  * @par Errors
- * - Errors empty the outputs. The next update resumes the motion (lack of memory: restarts it).
+ * - Errors empty the outputs. The next update resumes the motion (after lack of memory or an
+ *   invalid property: restarts it).
  * - A vanished skin is valid: empty output and one warning.
  */
 
@@ -244,7 +245,7 @@ public:
   ///@{
   /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
    * smoother and slower. A chosen array of radii replaces KernelRadius: an isolated particle or
-   * line becomes a ball or tube of the array's radius (SUM, lines: with ParticleThreshold < 1).
+   * line of strength 1 becomes a ball or tube of its radius (SUM, lines: ParticleThreshold < 1).
    * Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM, lines) or 2.25 (ANISOTROPIC) times
    * ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
@@ -306,10 +307,11 @@ public:
 
   ///@{
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] that the potential's image covers. The first
-   * skin ends at this box, unless its shape is particles or masks without explicit substeps; later
-   * skins may leave the box. Set ModelBounds for functions other than vtkSkeletonPotential and
-   * vtkGridPotential. Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1,
-   * -1, 1, -1), the box of the first step's target and of the initial shape, with a margin. */
+   * skin ends at this box, unless its shape is particles or masks without explicit substeps (or
+   * with those of a low Attraction); later skins may leave the box. Set ModelBounds for functions
+   * other than vtkSkeletonPotential and vtkGridPotential. Range: finite, min < max on each axis, or
+   * unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's target and of the
+   * initial shape, with a margin. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -326,8 +328,8 @@ public:
 
   ///@{
   /** Rate [1/time] of approach to the target: without TargetNoise and Tension, a small distance
-   * falls by a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time] per
-   * unit of the target. Over moving particles and masks, less than 2 / (TimeScale * interval of
+   * falls by about a factor e in a time of 1 / Attraction. Without NormalizeTarget: [length/time]
+   * per unit of the target. Over moving particles and masks, less than 2 / (TimeScale * interval of
    * time steps) causes explicit substeps. Range: >= 0, or -1, automatic: 6 / (TimeScale * interval
    * of time steps); 1 if the target is static, or with EQUILIBRIUM or PaperScheme. Default: -1. */
   vtkSetClampMacro(Attraction, double, -1.0, VTK_DOUBLE_MAX);
@@ -427,8 +429,8 @@ public:
   /** Integration in time. EXPLICIT (0): substeps as short as stability requires. AUTOMATIC (1):
    * moving particles and masks have one step per time step, static particles and masks without an
    * initial shape do not move, all else uses EXPLICIT. Particles and masks also use EXPLICIT with
-   * PaperScheme, EQUILIBRIUM, a low Attraction and other settings; PARAMETERS.md lists all.
-   * Default: AUTOMATIC. */
+   * PaperScheme, EQUILIBRIUM, a low Attraction (after the first skin) and other settings;
+   * PARAMETERS.md lists all. Default: AUTOMATIC. */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
@@ -561,8 +563,9 @@ public:
   ///@{
   /** Time at which the skin reaches a static target [pipeline time after the first time step], to
    * about 0.1 voxel: for morphs. Thin limbs grow along their length; with CreateParts, separate
-   * parts grow from a core. An error with a moving input, with NormalizeTarget off, or with
-   * the paper's scheme. No effect with EQUILIBRIUM. Range: >= 0; 0: no arrival. Default: 0. */
+   * parts grow from a core. An error with NormalizeTarget off, with the paper's scheme or, except
+   * with EQUILIBRIUM, with a moving input. No other effect with EQUILIBRIUM. Range: >= 0; 0: no
+   * arrival. Default: 0. */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
   ///@}
@@ -700,7 +703,8 @@ public:
    * the last time step up to the time of the last update; with EQUILIBRIUM there is no state.
    * LoadState loads a state into a filter with the same properties and inputs: from the state's
    * time on, the motion continues bitwise identically. With Advance, the first frame after
-   * LoadState is that of the saved time. Both functions return false, with an error, on failure. */
+   * LoadState is that of the saved time. Both functions return false, with an error, on failure;
+   * a state that does not fit is an error of the next update. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
@@ -728,7 +732,8 @@ public:
   ///@}
 
   ///@{
-  /** Values in use of properties that may be automatic (-1). 0: unused, or not known yet. */
+  /** Values in use of properties that may be automatic (-1). 0: not used by a motion, or not known
+   * yet. Other values may be without effect, as ParticleSpacing over functions. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
   double GetKernelRadiusInUse();
