@@ -155,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Attribute timeCode, as "hours:minutes:seconds:frame", at most two digits each. Default: none.
+   * Attribute timeCode, as "hours:minutes:seconds:frame", up to 23:59:59:29. Default: none.
    */
   vtkSetStringMacro(TimeCode);
   vtkGetStringMacro(TimeCode);
