@@ -27,7 +27,8 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError without scalars of one component, for a flat image, or for too many voxels.
+    Raises ValueError without scalars of one component, unless the image has no points; with values
+    on both sides also for a flat image, or for too many voxels.
     Warns of values that are not finite.
     """
     from . import vtkActiveImplicitSurface

@@ -84,7 +84,7 @@ def as_shape(shape: Any) -> Any:
     trimesh's), or with `points` and `cells` (as meshio's).
 
     Raises ValueError if a VTK mesh has neither polygons nor lines, `cells` has no polygons, or
-    `faces` is no table of point ids; TypeError for another object.
+    `faces` is no table of numbers; TypeError for another object.
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape
