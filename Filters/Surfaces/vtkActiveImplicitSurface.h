@@ -340,11 +340,11 @@ public:
   /** Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures)
    * to the speed. Tension smooths the skin, and shrinks small parts: in a target of distances, such
    * as a mesh, balls with a radius below 2.83 sqrt(Tension / Attraction) vanish. The number of
-   * explicit substeps rises with Tension / VoxelSize^2. Range: >= 0, or -1, automatic: Attraction *
-   * r^2 / 2 over particles of spacing 2 r (SUM, or TensionWeighting off: 0), Attraction * p^2 / 5
-   * over masks of shortest pixel side p; 0 for other targets and in explicit substeps. Default:
-   * -1. Over moving particles with automatic Attraction, the first frame ignores a given Tension,
-   * with a warning. */
+   * explicit substeps rises with Tension / VoxelSize^2. Over moving particles with automatic
+   * Attraction, the first frame ignores a given Tension, with a warning. Range: >= 0, or -1,
+   * automatic: Attraction * r^2 / 2 over particles of spacing 2 r (SUM, or TensionWeighting off:
+   * 0), Attraction * p^2 / 5 over masks of shortest pixel side p; 0 for other targets and in
+   * explicit substeps. Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
