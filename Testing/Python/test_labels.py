@@ -160,6 +160,12 @@ class Labels(unittest.TestCase):
                     if not any(origin):
                         self.assertLess(numpy.ptp(bulges), 1e-4)
 
+    def test_a_bound_of_any_length(self):
+        values = ball_label(ISOTROPIC)
+        for noise in (3.0, 1e4, 1e29):
+            skin = skin_of(image_of(values), TargetNoise=noise).GetOutput()
+            self.assert_volume(skin, volume_of_label(values, ISOTROPIC))
+
     def test_voxels_of_any_size(self):
         values = ball_label(ISOTROPIC)
         for voxel in (0.4, 2.0, 3.1):

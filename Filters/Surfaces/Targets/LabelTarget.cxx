@@ -77,7 +77,8 @@ void LabelTarget::PlaceNodes(const NodeMotion& motion)
       this->LargestPixel = std::max(this->LargestPixel, facts->LargestPixel);
     }
   }
-  const double width = FindFreedom(this->GetOptions(), this->LeastPixel);
+  // Distances beyond Absent are unknown.
+  const double width = std::min(FindFreedom(this->GetOptions(), this->LeastPixel), Absent);
   const double farthestSkin = width * this->LargestPixel / this->VoxelSize;
   this->Unit = width > 0.0 ? std::max(1.0, (farthestSkin + Margin) / double(NodeLimit)) : 1.0;
 }
