@@ -57,9 +57,9 @@ def _value(text: str) -> float:
 def _numbers_in(names: list[str]) -> re.Pattern[str]:
     """Returns a pattern that finds the numbers in the names of a series.
 
-    A minus after a letter or digit is a sign if another name has a digit at its place (t-1, t0),
-    else a hyphen (run-1, run-2). A dot separates two counters if the numbers cannot be decimals
-    (1.9, 1.10).
+    Minuses after letters or digits are signs if, where the names first differ, one has a minus and
+    another a digit (t-1, t0), else hyphens (run-1, run-2). A dot separates two counters if the
+    numbers cannot be decimals (1.9, 1.10).
     """
     start = len(os.path.commonprefix(names))
     after = {name[start : start + 1] for name in names}

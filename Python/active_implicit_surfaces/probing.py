@@ -70,7 +70,7 @@ class ProbedAtoms:
         if array is None:
             raise ValueError(
                 f"The atoms have no array {self._radii!r} of van der Waals radii, which a probe "
-                "needs; give elements, or the name of an array of radii as radii."
+                "needs; write elements in the file, or name an array of radii (option radii)."
             )
         return vtk_to_numpy(array)
 
