@@ -215,16 +215,14 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
         return;
       }
       float* now = this->Potential.Of(i);
-      const auto changes = [&](int node)
-      {
-        const float kept = std::min(std::max(before.Value[node], -NodeLimit), NodeLimit);
-        return !(std::fabs(kept - now[node]) <= tolerance);
-      };
       bool rests = true;
-      before.FirstLayers->ForEach([&](int node) { rests = rests && !changes(node); });
       for (int node = 0; rests && node < 512; ++node)
       {
-        rests = !(std::fabs(now[node]) < 1.f && changes(node));
+        if (before.FirstLayers->Has(node) || std::fabs(now[node]) < 1.f)
+        {
+          const float kept = std::clamp(before.Value[node], -NodeLimit, NodeLimit);
+          rests = std::fabs(kept - now[node]) <= tolerance;
+        }
       }
       if (rests)
       {
