@@ -77,10 +77,6 @@ void LabelTarget::PlaceNodes(const NodeMotion& motion)
       this->LargestPixel = std::max(this->LargestPixel, facts->LargestPixel);
     }
   }
-  // Distances beyond Absent are unknown.
-  const double width = std::min(FindFreedom(this->GetOptions(), this->LeastPixel), Absent);
-  const double farthestSkin = width * this->LargestPixel / this->VoxelSize;
-  this->Unit = width > 0.0 ? std::max(1.0, (farthestSkin + Margin) / double(NodeLimit)) : 1.0;
 }
 
 NodeFreedom LabelTarget::GetFreedom() const
@@ -89,12 +85,20 @@ NodeFreedom LabelTarget::GetFreedom() const
   const double width = FindFreedom(this->GetOptions(), this->LeastPixel);
   return { static_cast<float>(scale * width),
     static_cast<float>(scale * this->VoxelSize / this->LargestPixel),
-    static_cast<float>(this->Unit) };
+    static_cast<float>(this->FindUnit()) };
+}
+
+// Returns NodeFreedom::Unit. Distances beyond Absent are unknown.
+double LabelTarget::FindUnit() const
+{
+  const double width = std::min(FindFreedom(this->GetOptions(), this->LeastPixel), Absent);
+  const double farthestSkin = width * this->LargestPixel / this->VoxelSize;
+  return std::max(1.0, (farthestSkin + Margin) / double(NodeLimit));
 }
 
 double LabelTarget::GetReach() const
 {
-  return this->VoxelSize * this->Unit * Farthest;
+  return this->VoxelSize * this->FindUnit() * Farthest;
 }
 
 // Finds distances in pixels to the label of one step.

@@ -41,10 +41,10 @@ private:
   bool IsUniform(const Block& block, double& distance) const;
   void Visit(const Block& block, bool wantsInside, Shell& shell) const;
 
+  double FindUnit() const;
   double GetReach() const; // distance at which the potential of EvaluateLeaf is 1 [length]
 
   double VoxelSize = 1.0;
-  double Unit = 1.0;                           // NodeFreedom::Unit
   double LeastPixel = 1.0, LargestPixel = 1.0; // of the two steps [length]
 };
 
