@@ -50,7 +50,8 @@ std::unique_ptr<Obstacle> MakeObstacle(
   return std::make_unique<Obstacle>(voxelSize, distances, sampler->IsThreadSafe(), origin);
 }
 
-// Least number of explicit substeps from one step to the next over a moving target.
+// Least number of explicit substeps from one step to the next over a moving target. The target is
+// evaluated at least this often in the interval, even if the surface is slow.
 constexpr double SubstepsOfMovingTarget = 4.0;
 // Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
