@@ -11,6 +11,7 @@ import numpy
 from active_implicit_surfaces import vtkGridPotential, vtkSkeletonPotential
 from same_bytes_shapes import (
     Steps,
+    add_array,
     ball,
     block,
     brick,
@@ -23,7 +24,7 @@ from same_bytes_shapes import (
     two_balls,
     union,
 )
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkImplicitBoolean,
@@ -112,6 +113,18 @@ def emitter(random):
 
 def unmatched_particles(random):
     return moving(lambda i: cloud(places(random, 20)), random), {}
+
+
+def growing_crowd(random):
+    """Particles without ids whose number grows, by up to a hundred times, while they move by more
+    than their spacing."""
+    count, factor = random.randint(1, 20), random.choice((1, 2, 4, 10))
+    way = place(random, 1.0)
+
+    def at(i):
+        return cloud([moved(place(random), way, i) for _ in range(min(count * factor**i, 200))])
+
+    return moving(at, random), {}
 
 
 def as_table(points):
@@ -238,6 +251,34 @@ def moving_image(random):
     return moving(lambda i: frames[i % 2], random), random.choice(({}, {3: "G"}))
 
 
+def a_mask(random, count=None):
+    """Pixels with a label, of a random thickness, in an image that may cut them."""
+    sizes = [random.uniform(1, 8) for _ in range(3)]
+    level = random.uniform(0.2, 2.0)
+    inside = quadric(*sizes, level)
+
+    def value(x, y, z):
+        return 3 * (inside(x, y, z) < 0)
+
+    mask = image(value, count=count or random.randint(5, 15))
+    add_array(mask.GetPointData(), "F", vtk_to_numpy(mask.GetPointData().GetScalars()), "u1")
+    mask.GetPointData().SetActiveScalars("F")
+    mask.SetSpacing([x * random.choice((0.5, 1.0)) for x in mask.GetSpacing()])
+    return mask
+
+
+def mask(random):
+    return a_mask(random), {}
+
+
+def moving_mask(random):
+    count, seed = random.randint(5, 12), random.randint(0, 1000)
+    frames = [a_mask(Random(seed + i), count) for i in range(3)]
+    for frame in frames:
+        frame.SetSpacing(frames[0].GetSpacing())
+    return moving(lambda i: frames[i % 3], random), {}
+
+
 def a_ball(random):
     return ball(random.uniform(0.2, 0.7), place(random, 0.3))
 
@@ -319,6 +360,7 @@ PARTICLES = (
     births_and_deaths,
     emitter,
     unmatched_particles,
+    growing_crowd,
     table,
     blocks,
 )
@@ -330,6 +372,8 @@ OTHERS = (
     open_mesh,
     image_target,
     moving_image,
+    mask,
+    moving_mask,
 )
 
 

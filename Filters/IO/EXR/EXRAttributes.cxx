@@ -181,7 +181,7 @@ void AddTimeCode(Imf::Header& header, const std::string& text)
     std::sscanf(text.c_str(), "%2d:%2d:%2d:%2d%n", &hours, &minutes, &seconds, &frame, &end);
   const auto within = [](int value, int limit) { return value >= 0 && value <= limit; };
   if (read != 4 || static_cast<std::size_t>(end) != text.size() || !within(hours, 23) ||
-    !within(minutes, 59) || !within(seconds, 59) || !within(frame, 59))
+    !within(minutes, 59) || !within(seconds, 59) || !within(frame, 29))
   {
     throw FileError(vtkErrorCode::UserError,
       "TimeCode \"" + text +

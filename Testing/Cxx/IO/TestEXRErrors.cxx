@@ -137,6 +137,8 @@ TEST(TestEXRErrors, InputsThatAreNoPictureAreRefused)
   writer->SetCompressionToZIP();
   writer->SetTimeCode("25:00:00:00");
   CheckWriteRefused(writer, vtkErrorCode::UserError, "TimeCode", "a 25th hour");
+  writer->SetTimeCode("01:00:00:30");
+  CheckWriteRefused(writer, vtkErrorCode::UserError, "up to 23:59:59:29", "a 31st frame");
   writer->SetTimeCode("noon");
   CheckWriteRefused(writer, vtkErrorCode::UserError, "TimeCode", "no time code");
   writer->SetTimeCode(nullptr);
