@@ -6,6 +6,7 @@
 #include "Leaves/Layers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace activesurface
 {
@@ -52,13 +53,13 @@ void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 {
   this->AdoptTree(tree);
-  if (!this->HasGhosts)
+  if (!this->Paper)
   {
-    this->BoundLayers();
-  }
-  else if (!this->Paper)
-  {
-    this->FillGhostsOfAll();
+    this->BoundLayers(this->HasGhosts ? Far : NodeLimit);
+    if (this->HasGhosts)
+    {
+      this->FillGhostsOfAll();
+    }
   }
   this->FinishFrame();
 }
@@ -82,16 +83,23 @@ void BandState::AddGhosts()
   }
 }
 
-// Clamps the layers to +-NodeLimit, as the node scheme does. Without the clamp, nodes of the layers
-// would have + or - the background in leaves that the node scheme has not created.
-void BandState::BoundLayers()
+// Sets values of the layers with a magnitude of at least `least` to +-NodeLimit. The node scheme
+// does not create leaves of which all nodes have +-NodeLimit, so their nodes have the background,
+// +-Far.
+void BandState::BoundLayers(float least)
 {
   this->Leaves.ForEach(
     [&](std::size_t i)
     {
       BandLeaf& leaf = this->Leaves[i];
-      leaf.UpToLayer[LastLayer].ForEach([&leaf](int node)
-        { leaf.Value[node] = std::min(std::max(leaf.Value[node], -NodeLimit), NodeLimit); });
+      leaf.UpToLayer[LastLayer].ForEach(
+        [&leaf, least](int node)
+        {
+          if (std::fabs(leaf.Value[node]) >= least)
+          {
+            leaf.Value[node] = std::copysign(NodeLimit, leaf.Value[node]);
+          }
+        });
     });
 }
 

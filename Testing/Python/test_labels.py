@@ -10,6 +10,7 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from active_implicit_surfaces.measures import measure
+from same_bytes_shapes import Steps
 from shapes import as_array, bytes_of, image_of, points_of, with_properties
 from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -228,6 +229,15 @@ class Series(unittest.TestCase):
             for time, skin in active.frames(self.images[:4], fps=10, output_fps=40)
         ]
         self.assertLess(numpy.abs(found - 0.25 * numpy.arange(len(found))).max(), 0.1)
+
+    def test_a_lagging_skin_stays_within_the_first_label(self):
+        balls = {t: image_of(ball_label(SLICES, radius=10.0 - 6.0 * t), SLICES) for t in (0.0, 1.0)}
+        source = Steps(balls)
+        surface = with_properties(vtkActiveImplicitSurface(), {"Attraction": 1.0, "Tension": 0.05})
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.UpdateTimeStep(1.0)
+        farthest = numpy.abs(points_of(surface.GetOutput()) - CENTER).max(axis=0)
+        self.assertTrue((farthest > 4.0).all() and (farthest < 10.5).all(), farthest)
 
     def test_velocity_is_that_of_the_label(self):
         skins = [
