@@ -1,5 +1,6 @@
 # ctest: LABELS acceptance
-"""The history's Outside equals "outside by more than r" of Testing/Benchmarks/quality.py.
+"""The history's Outside equals "outside by more than r" of Testing/Benchmarks/quality.py. For an
+inverted target it is the fraction of the space around the points.
 
 Run: python3 test_outside.py
 """
@@ -10,7 +11,11 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from listener import Listener
+from same_bytes_shapes import lines
 from scenes import PARTICLE_SPACING, STEPS, VOXEL, splash
+from shapes import make_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -49,6 +54,30 @@ class OutsideAgrees(unittest.TestCase):
         for step, (outside, expected, ties) in enumerate(rows):
             with self.subTest(step=step):
                 self.assertLessEqual(abs(outside - expected), ties + 1e-12)
+
+
+class Inverted(unittest.TestCase):
+    """An inverted target is the space around the points, which the first skin encloses."""
+
+    def check(self, data):
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(data)
+        surface.SetModelBounds(-1, 2, -1, 2, -1, 2)
+        surface.SetParticleSpacing(0.2)
+        surface.InvertTargetOn()
+        heard = Listener(surface)
+        surface.Update()
+        self.assertGreater(surface.GetOutput().GetNumberOfPolys(), 0)
+        outside = surface.GetHistory().GetValueByName(0, "Outside").ToDouble()
+        self.assertLess(outside, 0.01)
+        self.assertEqual(heard.warnings, [])
+
+    def test_particles(self):
+        ticks = 0.2 * numpy.arange(5)
+        self.check(make_points(numpy.stack(numpy.meshgrid(ticks, ticks, ticks), axis=-1)))
+
+    def test_a_line(self):
+        self.check(lines([(0, 0, 0), (1, 0, 0)], (0, 1)))
 
 
 if __name__ == "__main__":

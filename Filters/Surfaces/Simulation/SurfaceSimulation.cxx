@@ -312,7 +312,8 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   if (HasTargetSpeed(motion) && !this->Settings.ArrivesAfter({ band.GetTime() }) &&
     !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
   {
-    WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles(step, step) }, this->Messages);
+    const bool areParticles = this->Shapes.HasParticles(step, step) && !this->Settings.Invert;
+    WarnOfOutside({ time, outside, motion, areParticles }, this->Messages);
   }
   this->History.Record(row, *view, { time, outside, event });
   band.ForgetWork();

@@ -147,10 +147,12 @@ double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion,
   return Count(band, this->Points).GetShare();
 }
 
+// Returns null for an inverted target, whose inside is between the points.
 const ParticleFrame* TargetCoverage::FindFrame(int step) const
 {
-  const InputShape* shape =
-    this->Settings.UsesInput() ? this->Shapes.GetFrames().Find(step) : nullptr;
+  const InputShape* shape = this->Settings.UsesInput() && !this->Settings.Invert
+    ? this->Shapes.GetFrames().Find(step)
+    : nullptr;
   return shape ? shape->GetPoints() : nullptr;
 }
 
