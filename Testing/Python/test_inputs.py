@@ -10,8 +10,16 @@ import numpy
 from active_implicit_surfaces import series, vtkActiveImplicitSurface
 from active_implicit_surfaces.data_objects import as_particles
 from listener import Listener
-from same_bytes_shapes import Steps, ball
-from shapes import ball_mesh, bytes_of, output_of, volume_of
+from same_bytes_shapes import Steps, ball, lines
+from shapes import (
+    ball_mesh,
+    bytes_of,
+    image_of,
+    make_points,
+    output_of,
+    points_of,
+    volume_of,
+)
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersHybrid import vtkForceTime
@@ -80,6 +88,17 @@ class Inputs(unittest.TestCase):
         self.surface.SetTargetFunction(ball(0.4))
         self.surface.SetInputConnection(1, self.mesh.GetOutputPort())
         self.assert_is_the_ball(0.0)
+
+    def test_a_single_point_is_refused(self):
+        corners = lines([(0.0, 0.0, 0.0)] * 3, (0, 1, 2))
+        flat = make_points(points_of(corners))
+        flat.SetPolys(corners.GetLines())
+        for data in (flat, image_of(numpy.ones((1, 1, 1)))):
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputData(data)
+            messages = Listener(surface)
+            surface.Update()
+            self.assertIn("is a single point", "".join(messages.errors))
 
     def test_a_forced_time_is_a_static_target(self):
         source = growing_ball()

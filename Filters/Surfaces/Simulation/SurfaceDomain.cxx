@@ -91,7 +91,7 @@ ChosenVoxel ChooseVoxel(
   }
   if (particleSpacing > 0.0)
   {
-    return { particleSpacing / VoxelsPerSpacing, "the particles' spacing" };
+    return { particleSpacing / VoxelsPerSpacing, "the points' spacing" };
   }
   if (image > 0.0)
   {
@@ -175,6 +175,12 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
     voxel = settings.VoxelSize > 0.0 ? settings.VoxelSize
                                      : FindVoxelSizeOfImages(shapes.GetMaxLength(), first.Pixel);
     shapes.Inflate(ImageMargin * voxel);
+  }
+  if (!(shapes.GetMaxLength() > 0.0))
+  {
+    throw std::invalid_argument("The target, and the initial shape if there is one, is a single "
+                                "point: all corners of a mesh coincide, or an image has one pixel; "
+                                "correct the input.");
   }
   double bounds[6];
   shapes.GetBounds(bounds);
