@@ -92,8 +92,8 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   {
     members.MakeEmpty();
     throw std::runtime_error(
-      "The initial surface needs more active voxels than MaximumNumberOfActiveVoxels; enlarge "
-      "VoxelSize or raise the maximum.");
+      "The initial surface needs more active voxels than MaximumNumberOfActiveVoxels = " +
+      std::to_string(members.Maximum) + "; enlarge VoxelSize or raise the maximum.");
   }
   return finished;
 }

@@ -58,8 +58,9 @@ void ParticlePotential::Build(
   {
     throw std::invalid_argument(
       "A particle is farther from the origin than 10^9 times the smallest particle radius, too far "
-      "for the lattice; move the particles nearer to the origin, remove those far from all others, "
-      "or check ParticleSpacing and the radii.");
+      "for the lattice (in a filter, the origin is near the first time step's particles, or near "
+      "ModelBounds, if set); move the particles nearer, remove those far from all others, or check "
+      "ParticleSpacing and the radii.");
   }
   options.VoxelSize = this->Unit;
   options.WantsBulks = true;

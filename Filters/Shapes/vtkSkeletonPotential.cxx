@@ -170,8 +170,10 @@ void vtkSkeletonPotential::ReadElements()
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
   {
+    const bool isOne = own.IgnoredElements == 1;
     vtkWarningMacro(<< own.IgnoredElements
-                    << " points or segments are ignored: a coordinate, a radius or a strength "
+                    << (isOne ? " point or segment is" : " points or segments are")
+                    << " ignored: a coordinate, a radius or a strength "
                        "is not finite, a radius is not positive, a number is too large or too "
                        "small, or a point does not exist. Correct or remove these elements.");
   }

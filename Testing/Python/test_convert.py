@@ -111,7 +111,7 @@ class Contours(unittest.TestCase):
         image = image_of(ball)
         image.GetPointData().GetScalars().SetTuple1(0, math.nan)
         self.assertEqual(contours.usual_level(image), (0.0, False))
-        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "1 of its .* are not finite"):
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "1 of its .* is not finite"):
             contours.contour(image, 0.0)
 
     def test_where_the_image_is_does_not_matter(self):

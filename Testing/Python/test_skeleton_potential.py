@@ -119,7 +119,7 @@ class SkeletonPotential(unittest.TestCase):
         self.assertEqual(potential.GetNumberOfIgnoredElements(), 1)
         self.assertEqual(potential.FunctionValue(0, 0, 0), -0.5)
         self.assertEqual([event for event, _ in heard], ["WarningEvent"])
-        self.assertIn("1 points or segments are ignored", heard[0][1])
+        self.assertIn("1 point or segment is ignored", heard[0][1])
         potential.SetRadiusArrayName("absent")
         self.assertEqual(potential.FunctionValue(0, 0, 0), 0.5)
         self.assertEqual(heard[1][0], "ErrorEvent")

@@ -74,7 +74,8 @@ void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
     if (!(std::fabs(bound) / voxelSize < FarthestNode))
     {
       std::ostringstream text;
-      text << "A point of the mesh is 10^9 voxels or more from the origin; enlarge VoxelSize (now "
+      text << "A point of the mesh is 10^9 voxels or more from the origin or, in a filter, from "
+           << "the first time step's shapes (from ModelBounds, if set); enlarge VoxelSize (now "
            << voxelSize << "), move the mesh, or remove points that are far away.";
       throw std::invalid_argument(text.str());
     }

@@ -62,8 +62,8 @@ constexpr char NoNodes[] =
   " needs explicit substeps, in which the skin may lag behind the particles and is not smoothed "
   "over their spacing. Change this setting, or set TimeIntegration to EXPLICIT to accept this.";
 constexpr char NoTensionAtStart[] =
-  "The first frame is without the given Tension, whose effect depends on the automatic Attraction "
-  "of an interval still unknown; set Attraction, too, or leave Tension automatic.";
+  "The first frame is without the given Tension: its effect depends on the automatic Attraction, "
+  "which follows from the time to the next frame. Set Attraction, too, or leave Tension automatic.";
 constexpr char NoSkinOnNodes[] =
   "The target has no surface that the voxels can resolve, or walls or the obstacle exclude it, so "
   "there is no skin; check VoxelSize, BoundedDomain, ObstacleFunction, Tension and, for particles, "

@@ -62,13 +62,14 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << "; the column Outside of the history has this fraction for each time step. "
        << (isHeld ? "VolumeControl or AreaControl may keep the skin too small for the target. "
                   : "")
-       << "For a closer skin, raise Attraction"
+       << "For a closer skin, reduce VoxelSize"
+       << (outside.Parameters.Tension > 0.0 ? " or lower Tension" : "")
+       << (outside.Parameters.CreateParts ? "" : "; turn CreateParts on and PaperScheme off")
+       << ". After the first time step, raise Attraction or, if the target moves, "
        << (particles && outside.Parameters.Transport < 1.0
-              ? ", use Transport 1 without explicit substeps"
+              ? "use Transport 1 without explicit substeps, or "
               : "")
-       << (outside.Parameters.CreateParts ? "" : ", turn CreateParts on and PaperScheme off")
-       << (outside.Parameters.Tension > 0.0 ? ", lower Tension" : "")
-       << ", reduce VoxelSize or, if the target moves, shorten the time between time steps.";
+       << "shorten the time between time steps.";
   messages.Say("outside", text.str());
 }
 
@@ -101,8 +102,9 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
     return;
   }
   text << "The skin has not reached a steady state after " << rest.MaximumSubsteps
-       << " substeps: its largest speed is " << report.SurfaceSpeed
-       << " voxels per unit of motion time, and RestTolerance is " << rest.Tolerance;
+       << (rest.MaximumSubsteps == 1 ? " substep" : " substeps") << ": its largest speed is "
+       << report.SurfaceSpeed << " voxels per unit of motion time, and RestTolerance is "
+       << rest.Tolerance;
   if (report.MovingShare > 0.0)
   {
     text << "; " << std::setprecision(2) << 100.0 * report.MovingShare

@@ -34,7 +34,7 @@ openvdb::GridBase::Ptr FindSavedGrid(const std::string& file)
       return ReadVDBGrid(file, grid);
     }
   }
-  throw std::runtime_error(std::string("it has no grid ") + SavedGridName);
+  throw std::runtime_error(std::string("it has no grid named ") + SavedGridName);
 }
 
 }

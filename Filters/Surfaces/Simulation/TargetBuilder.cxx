@@ -185,8 +185,8 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   options.When = this->DescribeStep(step);
   // At the level IsoValue, distances on both sides of the level are needed.
   options.MeshReach = options.Reach + std::fabs(this->Settings.IsoValue);
-  options.MeshHint = " (Reach is here TargetReach plus the absolute value of TargetIsoValue; "
-                     "MaximumNumberOfVoxels is ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshHint = " Here Reach is TargetReach plus the absolute value of TargetIsoValue, and "
+                     "MaximumNumberOfVoxels is ten times MaximumNumberOfActiveVoxels.";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + options.When + ": ";
   this->Report("flaw of the target", this->PrepareShape(shape, options, where));
@@ -216,7 +216,7 @@ void TargetBuilder::PrepareInitial()
   options.SmoothsLabels = false;
   options.When = "of input port 1";
   options.MeshReach = InitialReach * this->Domain.VoxelSize;
-  options.MeshHint = " (Reach: 8 voxels; maximum: ten times MaximumNumberOfActiveVoxels.)";
+  options.MeshHint = " Here Reach is fixed; the maximum is ten times MaximumNumberOfActiveVoxels.";
   this->Report("flaw of the initial shape",
     this->PrepareShape(*this->Initial, options, "The input of port 1, Initial: "));
 }

@@ -137,7 +137,7 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
   if (this->EstimatedSpacing == 0.0)
   {
     throw std::invalid_argument(
-      "The particles' spacing cannot be estimated, because there is only one usable point, or "
+      "The points' spacing cannot be estimated, because there is only one usable point, or "
       "all usable points coincide; set ParticleSpacing or KernelRadius, or choose an array of "
       "radii.");
   }

@@ -139,14 +139,16 @@ std::string DescribeNotFinite(vtkDataArray* values)
   ValueCounts counts;
   Run(values, counts);
   const auto all = static_cast<std::size_t>(values->GetNumberOfTuples());
-  if (counts.All == all)
+  const std::size_t bad = all - counts.All;
+  if (bad == 0)
   {
     return "";
   }
-  return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
-    " values are not finite (NaN or infinity). NaN counts as outside in the first skin, in "
-    "new parts and in smoothed masks, where hollows may appear; elsewhere NaN does not attract the "
-    "skin. Infinity counts by its sign. Replace these values by finite values.";
+  return std::to_string(bad) + " of its " + std::to_string(all) + " values " +
+    (bad == 1 ? "is" : "are") +
+    " not finite (NaN or infinity). NaN counts as outside in the first skin, in new parts and in "
+    "smoothed masks, where hollows may appear; elsewhere NaN does not attract the skin. Infinity "
+    "counts by its sign. Replace such values by finite values.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)

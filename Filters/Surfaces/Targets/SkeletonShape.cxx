@@ -129,7 +129,8 @@ std::string SkeletonShape::Prepare(const TargetOptions& options, const Warnings&
   this->Function = skeleton;
   return ignored == 0 ? ""
                       : std::to_string(ignored) +
-      " points or segments are left out because a coordinate, radius or strength is not within "
+      (ignored == 1 ? " point or segment is" : " points or segments are") +
+      " left out because a coordinate, radius or strength is not within "
       "+-1e100, a radius is below 1e-100, or a point does not exist. Correct or remove these "
       "elements.";
 }

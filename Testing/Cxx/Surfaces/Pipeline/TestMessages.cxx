@@ -276,7 +276,7 @@ TEST(TestMessages, OneParticleHasNoSpacing)
   data->GetPoints()->SetPoint(1, 0.0, 0.0, 0.0);
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputData(data);
-  Refuses(filter, "The particles' spacing cannot be estimated");
+  Refuses(filter, "The points' spacing cannot be estimated");
   filter->SetKernelRadius(0.5);
   Works(filter, "with a radius");
 }

@@ -62,7 +62,7 @@ TEST(TestQuietShapes, PointsOfLinesThatAreLeftOutAreToldByTheFilter)
   auto lines = MakeLines();
   const double missing = std::numeric_limits<double>::quiet_NaN();
   lines->GetPoints()->InsertNextPoint(missing, 0.0, 0.0);
-  CheckToldByTheFilter(lines, "1 points or segments are left out");
+  CheckToldByTheFilter(lines, "1 point or segment is left out");
 }
 
 }
