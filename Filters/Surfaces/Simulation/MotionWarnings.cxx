@@ -95,8 +95,8 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
            << " % of the skin does not settle: it oscillates (mean over the whole skin: "
            << report.MovingDistance << " voxels), usually because the target has edges or steps "
            << "that Tension smooths or the lattice cannot resolve. Use a distance or a smooth "
-           << "image as target, lower Tension, or set TargetNoise to the size of the steps (needs "
-           << "NormalizeTarget).";
+           << "image as target. Otherwise, over a mask, lower Tension; over distances with steps, "
+           << "set TargetNoise to the size of the steps (needs Tension and NormalizeTarget).";
       messages.Say("no rest", text.str());
     }
     return;
