@@ -155,8 +155,8 @@ void CheckSize(std::size_t count, std::size_t maximum)
   if (count > maximum)
   {
     std::ostringstream text;
-    text << "The narrow band has " << count << " active voxels, counted or estimated from the "
-         << "target, more than MaximumNumberOfActiveVoxels = " << maximum
+    text << "The narrow band has at least " << count << " active voxels, counted or estimated from "
+         << "the target, more than MaximumNumberOfActiveVoxels = " << maximum
          << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
