@@ -67,7 +67,7 @@ constexpr char NoTensionAtStart[] =
 constexpr char NoSkinOnNodes[] =
   "The target has no surface that the voxels can resolve, or walls or the obstacle exclude it, so "
   "there is no skin; check VoxelSize, BoundedDomain, ObstacleFunction, Tension and, for particles, "
-  "their radii, KernelRadius and ParticleThreshold.";
+  "their radii and strengths, KernelRadius and ParticleThreshold.";
 
 }
 
