@@ -169,8 +169,8 @@ void CheckBounded(bool isUnbounded, double time)
     std::ostringstream text;
     text << "The skin stays at the motion time " << time
          << " (TimeScale * elapsed time), because the next substep would make the potential "
-         << "diverge. Lower CFL, set GradientScheme to UPWIND or BoundedDomain to on, or remove "
-         << "infinite values from the target.";
+         << "diverge. Lower CFL, or remove infinite values from the target. Over an unbounded "
+         << "target, set GradientScheme to UPWIND or BoundedDomain to on.";
     throw std::runtime_error(text.str());
   }
 }
