@@ -178,9 +178,11 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
   }
   if (!(shapes.GetMaxLength() > 0.0))
   {
-    throw std::invalid_argument("The target, and the initial shape if there is one, is a single "
-                                "point: all corners of a mesh coincide, or an image has one pixel; "
-                                "correct the input.");
+    throw std::invalid_argument(
+      "The target, and the initial shape if there is one, is a single point: an image has one "
+      "pixel "
+      "or too small a Spacing, corners of a mesh coincide, or points so far from the origin are "
+      "equal in double precision. Correct or move the input, or set ModelBounds and VoxelSize.");
   }
   double bounds[6];
   shapes.GetBounds(bounds);
