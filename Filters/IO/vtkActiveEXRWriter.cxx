@@ -196,16 +196,18 @@ int vtkActiveEXRWriter::RequestData(
 void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  const std::string name = this->FileName ? this->FileName : "";
+  std::string name = this->FileName ? this->FileName : "";
+  if (name.empty())
+  {
+    this->Fail(
+      vtkErrorCode::NoFileNameError, "FileName is not set; set it to the .exr file to write.");
+    return;
+  }
   try
   {
-    if (name.empty())
-    {
-      throw FileError(
-        vtkErrorCode::NoFileNameError, "FileName is not set; set it to the .exr file to write.");
-    }
     const int number = this->FrameNumber + this->Chosen->Step;
-    this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));
+    name = activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps);
+    this->WriteImage(image, name);
   }
   catch (const std::exception& error)
   {

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy
 from active_implicit_surfaces import vtkActiveEXRReader, vtkActiveEXRWriter
+from listener import Listener
 from shapes import write
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -188,6 +189,36 @@ class AsPythonSeesThem(unittest.TestCase):
                 path = write(vtkActiveEXRWriter(), image_of_layers(), Path(folder) / name)
                 contents.append(path.read_bytes())
         self.assertEqual(*contents)
+
+    def assert_refused(self, writer, name, said):
+        listener = Listener(writer)
+        writer.SetInputDataObject(image_of_layers())
+        writer.SetFileName(name)
+        writer.Write()
+        self.assertEqual(len(listener.errors), 1)
+        self.assertIn(said, listener.errors[0])
+
+    def test_errors_name_the_file_of_the_frame(self):
+        writer = vtkActiveEXRWriter()
+        writer.SetFrameNumber(7)
+        self.assert_refused(writer, "/absent/a.##.exr", 'Cannot write "/absent/a.07.exr": ')
+        self.assert_refused(writer, "", "): FileName is not set; set it to")
+
+    def test_errors_tell_of_the_decoding_of_colors(self):
+        writer = vtkActiveEXRWriter()
+        writer.SetColorEncodingToSRGB()
+        writer.AssignPixelType("RGBA", vtkActiveEXRWriter.HALF)
+        image = vtkImageData()
+        image.SetDimensions(1, 1, 1)
+        colors = numpy_to_vtk(numpy.array([[200.0, 0.0, 0.0, 1.0]]), deep=True)
+        colors.SetName("RGBA")
+        image.GetPointData().AddArray(colors)
+        listener = Listener(writer)
+        writer.SetInputDataObject(image)
+        with tempfile.TemporaryDirectory() as folder:
+            writer.SetFileName(str(Path(folder) / "a.exr"))
+            writer.Write()
+        self.assertIn('Value 200 of array "RGBA", decoded from sRGB, does not', listener.errors[0])
 
 
 if __name__ == "__main__":

@@ -11,8 +11,10 @@ from active_implicit_surfaces import (
     vtkActiveVDBReader,
     vtkActiveVDBWriter,
 )
+from listener import Listener
 from scenes import splash
-from vtkmodules.vtkCommonDataModel import vtkSphere
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkSphere
 
 try:
     import openvdb
@@ -114,6 +116,38 @@ class WeReadTheFilesOfOthers(WithAFolder):
             array = reader.GetImageOutput().GetPointData().GetArray(name)
             self.assertEqual(array.GetNumberOfTuples(), count**3)
             self.assertEqual(array.GetRange(0), (value, value))
+
+
+class Refusals(WithAFolder):
+    """Images that no .vdb file can hold are refused for their own cause, not for the disk's."""
+
+    def refuse(self, image):
+        values = vtkFloatArray()
+        values.SetName("a")
+        values.SetNumberOfTuples(image.GetNumberOfPoints())
+        values.Fill(1)
+        image.GetPointData().AddArray(values)
+        writer = vtkActiveVDBWriter()
+        writer.SetInputDataObject(image)
+        writer.SetFileName(str(self.file))
+        listener = Listener(writer)
+        self.assertEqual(writer.Write(), 0)
+        self.assertFalse(self.file.exists())
+        return "".join(listener.errors)
+
+    def test_an_origin_or_a_spacing_that_is_not_finite(self):
+        for number in (float("nan"), float("inf")):
+            for set_number in (vtkImageData.SetOrigin, vtkImageData.SetSpacing):
+                image = vtkImageData()
+                image.SetDimensions(3, 3, 3)
+                set_number(image, number, 1, 1)
+                self.assertIn("is not finite; correct it.", self.refuse(image))
+
+    def test_a_direction_matrix_without_inverse(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        image.SetDirectionMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1)
+        self.assertIn("the direction matrix has no inverse", self.refuse(image))
 
 
 if __name__ == "__main__":

@@ -74,7 +74,8 @@ const char* NameOf(EXRPixel type)
 {
   return type == EXRPixel::UINT
     ? "UINT (whole numbers from 0 to 4294967295)"
-    : (type == EXRPixel::HALF ? "HALF (up to 65504)" : "FLOAT (single precision)");
+    : (type == EXRPixel::HALF ? "HALF (from -65504 to 65504)"
+                              : "FLOAT (single precision; integers only if exact)");
 }
 
 template <class Value>
@@ -83,9 +84,9 @@ template <class Value>
   constexpr int digits = 10; // of UINT's largest value
   std::ostringstream text;
   text << std::setprecision(digits) << "Value " << +value << " of array \""
-       << source.Array->GetName() << "\" does not fit into the type of channel " << source.Channel
-       << ", " << NameOf(source.Type)
-       << "; choose another type by AssignPixelType, or rescale the array.";
+       << source.Array->GetName() << "\"" << (source.FromSRGB ? ", decoded from sRGB," : "")
+       << " does not fit into the type of channel " << source.Channel << ", " << NameOf(source.Type)
+       << "; choose another type by AssignPixelType, or rescale or round the array.";
   throw FileError(vtkErrorCode::UserError, text.str());
 }
 

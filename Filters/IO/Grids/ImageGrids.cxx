@@ -93,6 +93,12 @@ openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
     }
     matrix(3, axis) = origin[axis];
   }
+  const double* const first = matrix.asPointer();
+  if (!std::all_of(first, first + 16, [](double x) { return std::isfinite(x); }))
+  {
+    throw std::invalid_argument("The image cannot be placed in a .vdb file: its origin, spacing or "
+                                "direction matrix is not finite; correct it.");
+  }
   try
   {
     return openvdb::math::Transform::createLinearTransform(matrix);
@@ -100,8 +106,9 @@ openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
   catch (const openvdb::Exception&)
   {
     throw std::invalid_argument(
-      "The image cannot be placed in a .vdb file: a spacing is 0, or the volume of a voxel is "
-      "below about 3e-15; correct the spacing, or scale the scene up.");
+      "The image cannot be placed in a .vdb file: a spacing is 0, the direction matrix has no "
+      "inverse, or the volume of a voxel is below about 3e-15; correct the spacing or the matrix, "
+      "or scale the scene up.");
   }
 }
 
