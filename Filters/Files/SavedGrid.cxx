@@ -31,7 +31,7 @@ Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
   const auto metadata = grid.getMetadata<openvdb::TypedMetadata<Value>>(name);
   if (!metadata)
   {
-    throw std::runtime_error(std::string("it has no ") + name);
+    throw std::runtime_error(std::string("it has no valid ") + name);
   }
   return metadata->value();
 }

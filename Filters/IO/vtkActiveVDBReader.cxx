@@ -232,7 +232,8 @@ int vtkActiveVDBReader::RequestData(
     if (own.Chosen.AreOfPoints() == (image != nullptr))
     {
       throw std::runtime_error("The files of the series have grids of different kinds, points and "
-                               "volumes; choose grids of one kind by GridName.");
+                               "volumes; choose grids of one kind by GridName, or read points and "
+                               "volumes by two readers.");
     }
     if (!IsOtherPiece(out))
     {

@@ -292,7 +292,8 @@ void vtkActiveVDBWriter::WriteSteps()
         if (this->GetAbortExecute())
         {
           throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
-            " (counted from 0); the files of the earlier time steps are complete.");
+            " (counted from 0); " +
+            (i > 0 ? "the files of the earlier time steps are complete." : "no file is written."));
         }
         source->Update(steps[i]);
       });

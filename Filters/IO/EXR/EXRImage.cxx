@@ -115,8 +115,8 @@ const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part)
   if (part >= count)
   {
     throw FileError(vtkErrorCode::UserError,
-      "it has no Part " + std::to_string(part) + "; set Part to a number from 0 to " +
-        std::to_string(count - 1));
+      "it has no Part " + std::to_string(part) + "; set Part to 0" +
+        (count > 1 ? " or a number up to " + std::to_string(count - 1) : ", its only part"));
   }
   const EXRPart& found = file.GetParts()[part];
   if (found.Type.compare(0, 4, "deep") == 0)
@@ -136,8 +136,8 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
   if (channels.empty())
   {
     throw FileError(vtkErrorCode::UserError,
-      "the selected Part has none of the enabled channels; enable its channels, or set another "
-      "Part");
+      "the selected Part has none of the enabled channels; enable its channels, or set a Part that "
+      "has them");
   }
   return GroupChannels(channels);
 }

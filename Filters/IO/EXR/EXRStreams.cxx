@@ -88,7 +88,8 @@ EXROutput::EXROutput(const std::string& name)
   if (!this->File)
   {
     throw FileError(vtkErrorCode::CannotOpenFileError,
-      std::string("the file cannot be created: ") + std::strerror(errno));
+      std::string("the file cannot be created: ") + std::strerror(errno) +
+        "; check that its folder exists and may be written to");
   }
 }
 

@@ -303,7 +303,8 @@ EXRSource MakeSource(
   if (channel.empty() || channel.size() > LongestChannelName)
   {
     Refuse("The channel name \"" + channel +
-      "\" has to have 1 to 255 bytes; choose another name by AddChannel.");
+      "\" has to have 1 to 255 bytes; rename the array, or correct the name: ClearChannels, then "
+      "AddChannel for each component.");
   }
   return source;
 }
@@ -318,8 +319,8 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
     {
       Refuse("Channel " + request.Channel + " asks for component " +
         std::to_string(request.Component) + " of point array \"" + request.Array +
-        "\", but the input has no numeric array of this name, or no such component; correct "
-        "AddChannel.");
+        "\", but the input has no numeric array of this name, or no such component; call "
+        "ClearChannels, then AddChannel with arrays and components of the input.");
     }
     sources.push_back(MakeSource(array, request.Component, request.Channel, choices));
   }
@@ -375,7 +376,8 @@ std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choic
   if (twice != sources.end())
   {
     Refuse("Two components would be written as channel " + twice->Channel +
-      "; give one of the components another name by AddChannel.");
+      "; rename an array, or name the channels: ClearChannels, then AddChannel for each "
+      "component of the array.");
   }
   return sources;
 }

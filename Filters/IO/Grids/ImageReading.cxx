@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -48,9 +49,11 @@ void CheckSize(const ImagePlace& place, const ImageRequest& request)
   if (request.IsDense && place.CountPoints() > static_cast<double>(request.MaximumNumberOfPoints))
   {
     std::ostringstream text;
-    text << "The dense image would have " << place.CountPoints() << " points, more than "
-         << "MaximumNumberOfPoints; choose a smaller Region, raise DownsamplingFactor or "
-         << "MaximumNumberOfPoints, or turn OutputDense off.";
+    constexpr int digits = 15;
+    text << std::setprecision(digits) << "The dense image would have " << place.CountPoints()
+         << " points, more than MaximumNumberOfPoints (" << request.MaximumNumberOfPoints
+         << "); choose a smaller Region, raise DownsamplingFactor or MaximumNumberOfPoints, or "
+         << "turn OutputDense off.";
     throw std::runtime_error(text.str());
   }
 }
@@ -213,8 +216,9 @@ const VDBGrid& FindGrid(const VDBFile& file, const std::string& fileName, const 
       return grid;
     }
   }
-  throw std::invalid_argument("The file " + fileName + " has no grid \"" + name +
-    "\"; choose one of its grids: " + ListNames(file) + ".");
+  throw std::invalid_argument("The file " + fileName + " has no grid \"" + name + "\"" +
+    (file.Grids.empty() ? " and no other grid; choose another file."
+                        : "; choose one of its grids: " + ListNames(file) + "."));
 }
 
 std::vector<VDBGrid> Choose(
@@ -232,9 +236,10 @@ std::vector<VDBGrid> Choose(
     {
       std::ostringstream text;
       text << "The grid \"" << name << "\" of the file " << fileName << " cannot be read: "
-           << (grid.Transform ? "its type " + grid.Type + " is not supported"
+           << (grid.Transform ? "its type " + grid.Type + " is not supported" +
+                    (grid.GetValueType() != grid.Type ? " in a file of this version" : "")
                               : "its transform is not linear")
-           << "; choose another GridName.";
+           << "; choose another GridName or file.";
       throw std::invalid_argument(text.str());
     }
     grids.push_back(grid);
@@ -317,8 +322,8 @@ ImagePlace MakeImagePlace(
   if (!(skew <= slack))
   {
     throw std::invalid_argument(
-      "The grid is sheared, but an image needs axes at right angles. Resample the grid first "
-      "(vdb_tool, Houdini).");
+      "The chosen grid is sheared, but an image needs axes at right angles. Choose another "
+      "GridName, or resample the grid first (vdb_tool, Houdini).");
   }
   return place;
 }

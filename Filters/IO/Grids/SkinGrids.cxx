@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
@@ -95,8 +96,11 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   if (!(voxelSize >= smallest))
   {
     std::ostringstream text;
-    text << "The voxel size is " << voxelSize << ", but OpenVDB needs at least " << smallest
-         << "; enlarge VoxelSize, or scale the scene up.";
+    constexpr int digits = 8;
+    text << std::setprecision(digits) << "The voxel size is " << voxelSize
+         << ", but OpenVDB needs at least " << smallest
+         << "; scale the scene up, or enlarge VoxelSize: of the writer for a mesh, of the filter "
+         << "for its skin.";
     throw std::invalid_argument(text.str());
   }
   auto tree = std::make_shared<openvdb::FloatTree>(band.Distances->tree());

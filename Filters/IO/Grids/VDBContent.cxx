@@ -159,7 +159,8 @@ void Content::Add(const openvdb::GridBase::Ptr& grid)
   if (isTaken)
   {
     throw std::invalid_argument("The file would have two grids \"" + name +
-      "\"; rename the point array, or switch off WritePointArrays.");
+      "\"; give the point arrays different names, none of them \"" + name +
+      "\", or switch off WritePointArrays.");
   }
   grid->setSaveFloatAsHalf(this->Choice.HalfFloat);
   this->Grids.push_back(grid);
