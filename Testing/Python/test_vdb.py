@@ -13,6 +13,7 @@ from active_implicit_surfaces import (
 )
 from listener import Listener
 from scenes import splash
+from shapes import ball_mesh, output_of
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkSphere
 
@@ -121,7 +122,7 @@ class WeReadTheFilesOfOthers(WithAFolder):
 class Refusals(WithAFolder):
     """Images that no .vdb file can hold are refused for their own cause, not for the disk's."""
 
-    def refuse(self, image):
+    def refuse(self, image, voxel=-1.0):
         values = vtkFloatArray()
         values.SetName("a")
         values.SetNumberOfTuples(image.GetNumberOfPoints())
@@ -130,6 +131,7 @@ class Refusals(WithAFolder):
         writer = vtkActiveVDBWriter()
         writer.SetInputDataObject(image)
         writer.SetFileName(str(self.file))
+        writer.SetVoxelSize(voxel)
         listener = Listener(writer)
         self.assertEqual(writer.Write(), 0)
         self.assertFalse(self.file.exists())
@@ -148,6 +150,16 @@ class Refusals(WithAFolder):
         image.SetDimensions(3, 3, 3)
         image.SetDirectionMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1)
         self.assertIn("the direction matrix has no inverse", self.refuse(image))
+
+    def test_voxels_of_a_mesh_that_no_file_can_have(self):
+        for voxel, said in (
+            (1e-5, "has to be between 2e-05 and 1e+37"),
+            (float("inf"), "has to be between 2e-05 and 1e+37"),
+            (float("nan"), "VoxelSize has to be > 0"),
+            (3e-5, "active voxels, more than 2^31; enlarge VoxelSize"),
+        ):
+            with self.subTest(voxel=voxel):
+                self.assertIn(said, self.refuse(output_of(ball_mesh()), voxel))
 
 
 if __name__ == "__main__":

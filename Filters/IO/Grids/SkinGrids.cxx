@@ -90,19 +90,25 @@ openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, cons
 
 }
 
-openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
+void CheckGridVoxel(double voxelSize)
 {
   constexpr double smallest = 2e-5; // OpenVDB treats determinants below 3e-15 as 0
-  if (!(voxelSize >= smallest))
+  constexpr double largest = 1e37;  // distances have single precision
+  if (!(voxelSize >= smallest && voxelSize <= largest))
   {
     std::ostringstream text;
     constexpr int digits = 8;
-    text << std::setprecision(digits) << "The voxel size is " << voxelSize
-         << ", but OpenVDB needs at least " << smallest
-         << "; scale the scene up, or enlarge VoxelSize: of the writer for a mesh, of the filter "
-         << "for its skin.";
+    text
+      << std::setprecision(digits) << "The voxel size is " << voxelSize
+      << ", but has to be between " << smallest << " and " << largest
+      << " in .vdb files; scale the scene, or change VoxelSize: of the writer for a mesh, of the "
+      << "filter for its skin.";
     throw std::invalid_argument(text.str());
   }
+}
+
+openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
+{
   auto tree = std::make_shared<openvdb::FloatTree>(band.Distances->tree());
   const auto scale = static_cast<float>(voxelSize);
   const auto background = static_cast<float>(HalfWidth * voxelSize);

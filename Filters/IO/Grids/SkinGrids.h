@@ -10,8 +10,11 @@ class vtkDataArray;
 namespace activesurface
 {
 
+// Throws std::invalid_argument for sizes that a .vdb file cannot hold.
+void CheckGridVoxel(double voxelSize);
+
 // Returns the level set "surface": distances [world units], with node (0, 0, 0) at the world's
-// origin. Throws std::invalid_argument for voxels too small for OpenVDB.
+// origin.
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize);
 
 // Returns "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels

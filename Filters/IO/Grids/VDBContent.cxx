@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -55,6 +56,26 @@ double FindLongestSide(const MeshTriangles& mesh)
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
+void CheckActiveVoxels(const LatticeMesh& mesh)
+{
+  constexpr double most = 2147483648.0; // 2^31
+  double area = 0.0;
+  for (const auto& corners : mesh.Triangles)
+  {
+    const openvdb::Vec3d &a = mesh.Points[corners[0]], &b = mesh.Points[corners[1]],
+                         &c = mesh.Points[corners[2]];
+    area += 0.5 * (b - a).cross(c - a).length();
+  }
+  const double voxels = 2.0 * HalfWidth * area;
+  if (!(voxels <= most))
+  {
+    std::ostringstream text;
+    text << "The surface's grid would have about " << voxels
+         << " active voxels, more than 2^31; enlarge VoxelSize.";
+    throw std::invalid_argument(text.str());
+  }
+}
+
 // Returns the triangles of ReadTriangles on a lattice; points keep their indices. An automatic
 // voxelSize becomes a 64th of the longest side of the mesh's bounds. origin: receives the world
 // position of the lattice's node (0, 0, 0).
@@ -68,6 +89,7 @@ LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<doub
     throw std::invalid_argument("VoxelSize has to be > 0, or -1, automatic.");
   }
   voxelSize = voxelSize > 0.0 ? voxelSize : side / VoxelsAcross;
+  CheckGridVoxel(voxelSize);
   constexpr double mostVoxels = 1 << 20;
   if (!(side / voxelSize <= mostVoxels))
   {
@@ -88,6 +110,7 @@ LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<doub
   {
     mesh.Triangles.push_back({ corners[0], corners[1], corners[2] });
   }
+  CheckActiveVoxels(mesh);
   return mesh;
 }
 
@@ -182,6 +205,7 @@ void Content::AddState(const AttachedState& attached)
 
 void Content::AddSkin(const NarrowBand& band, vtkPointData* arrays)
 {
+  CheckGridVoxel(band.GetVoxelSize());
   const LatticeMesh mesh = MakeSkinMesh(band);
   band.Run([&] { this->AddSurface(mesh, MakeSkinBand(band, mesh), band.GetVoxelSize(), arrays); });
 }
