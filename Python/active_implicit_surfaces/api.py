@@ -21,7 +21,7 @@ from .presets import (
 from .probing import ProbedAtoms
 from .runner import Skins, check_mode, update
 from .series import ParticleSeries, TemporalSource
-from .times import times_between
+from .times import check_number, times_between
 
 # Indices of SetInputArrayToProcess, and the keywords that choose such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
@@ -218,7 +218,9 @@ class frames(Skins):
             fault = fault if conditions else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
             raise ValueError(f"{fault}{more}; relax the selection, or give more particles.")
+        _check_names(arrays or {})
         if probe is not None:
+            check_number("probe", probe)
             self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
             self.source, arrays = self._atoms.source, None
         elif not {"target_iso_value", "invert_target"} & set(options):
@@ -252,6 +254,7 @@ def configure(
     """Sets arrays and properties of a filter over a source of particles or images."""
     options = properties.given(options)
     chosen = dict(arrays or {})
+    _check_names(chosen)
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
         raise TypeError(f"The keys of arrays are {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
@@ -286,10 +289,10 @@ def _settle_spacing(
         if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):
             surface.SetParticleSpacing(first if own / _SAME <= first <= _SAME * own else own)
     elif is_given and own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
-        warn(*_describe_lengths(surface, own))
+        warn(*_describe_lengths(surface, own, has_radii))
 
 
-def _describe_lengths(surface: Any, own: float) -> list[str]:
+def _describe_lengths(surface: Any, own: float, has_radii: bool) -> list[str]:
     """Returns a warning if spacing or kernel radius does not fit `own`, the estimated spacing."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
@@ -298,13 +301,23 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
             f"{own:g}. Without radii a smaller spacing breaks the skin into drops, a larger one "
             "makes a lump."
         ]
-    if radius > 0 and not spacing > 0 and radius < _LEAST_REACH * own:
+    if 0 < radius < _LEAST_REACH * own and not spacing > 0 and not has_radii:
         return [
-            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart; without radii, "
+            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so "
             f"kernels reach few neighbours. Increase kernel_radius; or, if {radius:g} is the "
             f"particles' radius or spacing, give particle_spacing {own:g} instead."
         ]
     return []
+
+
+def _check_names(chosen: dict[str, Any]) -> None:
+    """Raises TypeError if a chosen array is no name, such as an array of values."""
+    for role, name in chosen.items():
+        if name is not None and not isinstance(name, str):
+            raise TypeError(
+                f"In arrays, {role} is an object of type {type(name).__name__}, but has to be the "
+                "name of a point array; add the array to the particles."
+            )
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:

@@ -165,6 +165,8 @@ def _points_of(particles: Any) -> tuple[Any, Any]:
 def vtk_points(positions: Any) -> Any:
     """Converts an array (n, 3) to vtkPoints."""
     try:
+        if positions is None:
+            raise TypeError
         numbers = numpy.asarray(_without_mask(positions))
         numbers = numbers if numbers.dtype in ("f4", "f8") else numbers.astype(float)
     except (TypeError, ValueError) as error:
@@ -299,7 +301,12 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
     mesh.SetPoints(vtk_points(vertices))
     offsets, numbers = [numpy.zeros(1, dtype=numpy.int64)], []
     for rows in kinds:
-        faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
+        try:
+            faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
+        except (TypeError, ValueError) as error:
+            raise ValueError(
+                "Faces have to be rows of point ids, all rows of one length and of whole numbers."
+            ) from error
         if faces.ndim != 2:
             raise ValueError(f"Faces have to be rows of point ids; the shape is {faces.shape}.")
         start = offsets[-1][-1]

@@ -36,6 +36,8 @@ def history(surface: Any) -> dict[str, Any]:
     ------
     ValueError
         There is no history yet, or this is another rank than rank 0.
+    TypeError
+        Another object is given.
 
     Examples
     --------
@@ -48,6 +50,11 @@ def history(surface: Any) -> dict[str, Any]:
     array([0. , 0.1])
     """
     surface = getattr(surface, "surface", surface)
+    if not hasattr(surface, "GetHistory"):
+        raise TypeError(
+            f"An object of type {type(surface).__name__} has no history; give a "
+            "vtkActiveImplicitSurface, frames, morph or LiveSurface."
+        )
     with listening(surface) as heard:
         table = surface.GetHistory()
     heard.raise_error(ValueError)
@@ -84,7 +91,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     ValueError
         There is no such column or no history, or the numbers of columns and `axes` differ.
     """
-    held = history(surface)
+    held, columns = history(surface), [columns] if isinstance(columns, str) else columns
     if unknown := [name for name in columns if name not in held]:
         raise ValueError(f"The history has no column {unknown[0]!r}; it has {', '.join(held)}.")
     if axes is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any
 
@@ -12,6 +13,7 @@ from .api import configure
 from .data_objects import as_particles, copy_of, like
 from .messages import listening, warn
 from .series import TemporalSource
+from .times import check_number
 
 
 class LiveSurface:
@@ -60,6 +62,9 @@ class LiveSurface:
     ) -> None:
         for keyword in options:
             properties.find(keyword)
+        check_number("start", start)
+        if not math.isfinite(start):
+            raise ValueError(f"start has to be finite, not {start}.")
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetStartTime(float(start))
         self.time: float | None = None
@@ -92,6 +97,7 @@ class LiveSurface:
         TypeError
             Unknown key in `arrays` of the class, or particles or a value of a wrong type.
         """
+        check_number("dt", dt)
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
         cloud = as_particles(particles, **arrays)

@@ -13,6 +13,7 @@ from .contours import as_level_set, level_of_series
 from .data_objects import as_shape, copy_of, is_vtk, vtk_points
 from .messages import warn
 from .runner import Skins, check_mode
+from .times import check_number
 
 FITS = ("none", "centre", "box")
 _FAR = 1.5  # largest ratio of the shapes' sizes without a warning
@@ -99,12 +100,12 @@ class morph(Skins):
         progress: Callable[[int, int], None] | None = None,
         **options: Any,
     ) -> None:
+        check_number("duration", duration)
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
         for name in _OF_DURATION & set(options):
             raise TypeError(f"morph has duration and frames in place of {name}; leave {name} out.")
-        if int(frames) != frames or frames < 2:
-            raise ValueError(f"frames has to be a whole number of 2 or more, not {frames!r}.")
+        frames = _count_of(frames)
         if fit not in FITS:
             raise ValueError(f"fit is one of {', '.join(FITS)}, not {fit!r}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]
@@ -133,14 +134,9 @@ class morph(Skins):
         return skin
 
     def _connect(self, a: Any, b: Any, fit: str, has_usual_level: bool) -> None:
-        first, last = (shape if _is_function(shape) else as_shape(shape) for shape in (a, b))
-        if has_usual_level:
-            first, last = (
-                as_level_set(shape, *level_of_series([shape]))
-                if shape.IsA("vtkImageData")
-                else shape
-                for shape in (first, last)
-            )
+        first, last = (
+            _prepared(shape, which, has_usual_level) for shape, which in ((a, "first"), (b, "last"))
+        )
         if _is_function(first) or _is_function(last):
             if fit != "none":
                 raise TypeError(
@@ -156,6 +152,29 @@ class morph(Skins):
                 set_function(shape)
             else:
                 self.surface.SetInputDataObject(port, shape)
+
+
+def _count_of(frames: Any) -> int:
+    """Returns the number of frames; raises ValueError unless whole and 2 or more."""
+    try:
+        count = int(frames)
+    except (TypeError, ValueError, OverflowError):
+        count = 0
+    if count != frames or count < 2:
+        raise ValueError(f"frames has to be a whole number of 2 or more, not {frames!r}.")
+    return count
+
+
+def _prepared(shape: Any, which: str, has_usual_level: bool) -> Any:
+    """Returns a function, mesh or image, as a level set if asked; errors name the shape."""
+    if _is_function(shape):
+        return shape
+    try:
+        own = as_shape(shape)
+        is_converted = has_usual_level and own.IsA("vtkImageData")
+        return as_level_set(own, *level_of_series([own])) if is_converted else own
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"The {which} shape: {error}") from error
 
 
 def _is_function(shape: Any) -> bool:

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import atom_files, simulation_files, text_particles
-from .choice import choose, image_of_label, labels_of, note_once
+from .choice import choose, conditions, image_of_label, labels_of, note_once
 from .data_objects import (
     add_array,
     array_names,
@@ -30,7 +30,7 @@ from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn
 from .tables import FIELD, Frame
-from .times import check_times, places_of, times_at
+from .times import check_times, one_for_each, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
 
 _TABLES = (".csv", ".tsv", ".txt", ".dat")
@@ -80,6 +80,7 @@ class ParticleFiles:
         self.files = [file for parts in frames for file in parts]
         self._loaders, self.times = loaders, check_times(times)
         self._where, self._label = where, label
+        conditions(where)
         self._note_absent = note_once() if len(loaders) > 1 else None
         self.numbers = numbers_of(self.names)
 
@@ -94,6 +95,18 @@ class ParticleFiles:
         warning, and images may lack the label.
         """
         data = self._loaders[step]()
+        if len(self) > 1 and data.IsA("vtkImageData") != (self.kind == "vtkImageData"):
+            what = "an image" if data.IsA("vtkImageData") else "no image"
+            raise OSError(
+                f"{self.names[step]} is {what}, unlike {self.names[0]}; give only images, or only "
+                "particles."
+            )
+        try:
+            return self._choose(data)
+        except ValueError as error:
+            raise ValueError(f"{self.names[step]}: {error}") from error
+
+    def _choose(self, data: Any) -> Any:
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
             return image_of_label(data, self._label)  # some frames may lack the label
         return choose(data, self._where, self._label, self._note_absent)
@@ -132,15 +145,20 @@ def open_particles(
         loaders = [_later(parts, noted) for parts in listing.frames]
         told = told or _times_inside(files)
     if times is not None:
-        if len(times) != len(loaders):
-            raise ValueError(
-                f"There are {len(times)} times for {len(loaders)} frames; give one time per frame."
-            )
-        told = list(times)
+        told = one_for_each(times, len(loaders))
     elif fps is not None or told is None:
         places = places_of(running_numbers(files)) if len(files) > 1 else range(len(loaders))
         told = times_at(places, fps)
+    else:
+        _check_own(files[0], told)
     return ParticleFiles(listing.frames, loaders, told, where, label)
+
+
+def _check_own(path: Path, times: Sequence[float]) -> None:
+    try:
+        check_times(times)
+    except ValueError as error:
+        raise OSError(f"{path}: {error}") from error
 
 
 def labels_in(files: ParticleFiles) -> list[int]:
@@ -162,17 +180,17 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                     "open this one file to use all.",
                 )
             clouds.append(loaders[0]())
+        if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
+            raise OSError(
+                f"{parts[0]} is one of several parts of a frame, and some parts are images; write "
+                "each image as one file: only particles can be in several parts."
+            )
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
             _note(
                 noted,
                 parts[0],
                 f"arrays left out: {', '.join(lost)}; some parts of the frame lack these arrays; "
                 "write the arrays in all parts.",
-            )
-        if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
-            raise OSError(
-                f"{parts[0]} is one of several parts of a frame, and some parts are images; write "
-                "each image as one file: only particles can be in several parts."
             )
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 
@@ -241,7 +259,7 @@ def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
         if error.strerror is None:  # a message of our own
             raise
         raise OSError(f"{path} cannot be read as particles: {error.strerror}.") from error
-    except (ValueError, KeyError, IndexError, UnicodeDecodeError, EOFError, csv.Error) as error:
+    except (ValueError, TypeError, LookupError, EOFError, csv.Error) as error:
         said_first = str(error).partition("\n")[0].rstrip(".")
         raise OSError(f"{path} cannot be read as particles: {said_first}.") from error
     except _DAMAGE_OF_ARCHIVES as error:

@@ -125,6 +125,9 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
         else:
             wanted = value
         setter(wanted)
+    except OverflowError as error:
+        limits = f"its range: {own.range}" if own.range else "its range"
+        raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.") from error
     except (TypeError, ValueError) as error:
         raise TypeError(f"{own.keyword} cannot be {value!r}: {error}.") from error
     got = getattr(surface, "Get" + own.name)()

@@ -29,7 +29,7 @@ from .choice import choose, conditions, note_once, without_small_pieces
 from .contours import converter_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
-from .times import check_times, times_at
+from .times import check_times, one_for_each, times_at
 
 _ROUNDING = 1e-6  # tolerance before a number of particles is rounded up
 
@@ -218,9 +218,11 @@ class ParticleSeries(TemporalSource):
         if times is not None and fps is not None:
             raise ValueError("Times and frames per second exclude each other; give one of them.")
         load, found, kind = _loader(frames, times, fps)
-        as_points = as_particles if kind == "vtkPolyData" else (lambda image: image)
+        is_image = kind == "vtkImageData"
+        read = (lambda step: _as_image(load(step))) if is_image else load
+        as_points = (lambda image: image) if is_image else as_particles
         note = note_once() if len(found) > 1 else None
-        chosen = (lambda step: choose(as_points(load(step)), where, note=note)) if where else load
+        chosen = (lambda step: choose(as_points(read(step)), where, note=note)) if where else read
         super().__init__(chosen, found, kind, any_order=not callable(frames))
 
     def __len__(self) -> int:
@@ -238,21 +240,33 @@ def _loader(
         first = frames(own[0])
         return lambda step: frames(own[step]) if step else first, own, _kind_of(first)
     is_whole = isinstance(frames, (Sequence, Path)) or hasattr(frames, "shape")
+    if not is_whole and not hasattr(frames, "__iter__"):
+        raise TypeError(
+            f"An object of type {type(frames).__name__} is no series of particles; give a list of "
+            "frames, names of files, or a function of time; for one frame, call skin()."
+        )
     held = frames if is_whole else list(frames)
     if isinstance(held, (str, Path)) or _are_paths(held):
         files = open_particles(held, fps=fps, times=times)
         return files.load, files.times, files.kind
-    if times is not None and len(times) != len(held):
-        raise ValueError(
-            f"There are {len(times)} times for {len(held)} frames; give one time for each frame."
-        )
-    own = times_at(range(len(held)), fps) if times is None else list(times)
+    count = len(held)
+    own = times_at(range(count), fps) if times is None else one_for_each(times, count)
     return held.__getitem__, own, _kind_of(held[0] if len(held) else None)
 
 
 def _kind_of(data: Any) -> str:
     is_image = is_vtk(data) and data.IsA("vtkImageData")
     return "vtkImageData" if is_image else "vtkPolyData"
+
+
+def _as_image(data: Any) -> Any:
+    """Returns an image of a series of images; raises TypeError for other data."""
+    if not (is_vtk(data) and data.IsA("vtkImageData")):
+        raise TypeError(
+            f"A frame is of type {type(data).__name__}, but the first frame is an image; give only "
+            "images, or only particles."
+        )
+    return data
 
 
 def _are_paths(frames: Any) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 FRAMES_PER_SECOND = 25.0  # default without other information
 
@@ -23,6 +24,30 @@ def check_times(times: Iterable[float]) -> list[float]:
     return own
 
 
+def check_number(name: str, value: Any) -> None:
+    """Raises TypeError, with the name of the keyword, if a value is no number."""
+    try:
+        if isinstance(value, str):
+            raise TypeError
+        float(value)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise TypeError(f"{name} has to be a number, not {value!r}.") from error
+
+
+def one_for_each(times: Any, count: int) -> list[float]:
+    """Returns given times as a list; raises an error unless they are `count` numbers."""
+    try:
+        own = [float(time) for time in times]
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"times has to be a sequence of numbers, not {times!r}.") from error
+    if len(own) != count:
+        raise ValueError(
+            f"The number of times is {len(own)}, but that of frames is {count}; give one time for "
+            "each frame."
+        )
+    return own
+
+
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
     """Converts positions counted in frames to times, at 25 frames per second if fps is None."""
     rate = FRAMES_PER_SECOND if fps is None else check_rate(fps)
@@ -31,6 +56,7 @@ def times_at(places: Iterable[float], fps: float | None) -> list[float]:
 
 def check_rate(fps: float) -> float:
     """Returns the frames per second; raises ValueError unless finite and more than 0."""
+    check_number("fps", fps)
     if not 0 < fps < float("inf"):
         raise ValueError(f"Frames per second have to be finite and more than 0, not {fps:g}.")
     return fps

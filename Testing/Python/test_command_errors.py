@@ -190,7 +190,10 @@ class Data(CommandTest):
 
     def test_times_that_do_not_fit(self):
         numpy.savez(self.folder / "a.npz", positions=numpy.stack(3 * [grid()]))
-        for times, words in ("0,1", "2 times for 3 frames"), ("0,2,1", "have to increase"):
+        for times, words in (
+            ("0,1", "times is 2, but that of frames is 3"),
+            ("0,2,1", "have to increase"),
+        ):
             said = self.fail_with(1, "skin", self.folder / "a.npz", "--times", times)
             self.assertIn(words, said)
 

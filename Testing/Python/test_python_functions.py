@@ -267,7 +267,7 @@ class Series(unittest.TestCase):
     def test_what_is_no_series(self):
         with self.assertRaisesRegex(ValueError, "no frames"):
             active.ParticleSeries([])
-        with self.assertRaisesRegex(ValueError, "2 times for 4 frames"):
+        with self.assertRaisesRegex(ValueError, "times is 2, but that of frames is 4"):
             active.ParticleSeries(moving_grid(), times=[0, 1])
         with self.assertRaisesRegex(ValueError, "increase"):
             active.ParticleSeries(moving_grid(2), times=[1, 1])
