@@ -123,13 +123,20 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
         frame[name] = values[:, 0] if size == 1 and cells else values
 
 
+def _finite(words: Sequence[str]) -> list[float]:
+    """Returns the words that are finite numbers, as numbers."""
+    found = map(number, words)
+    return [each for each in found if each is not None and math.isfinite(each)]
+
+
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
     """Returns a cell's edges, a flag for each (1: periodic) and any origin; {} without a cell."""
     if "lattice" not in pairs:
         return {}
-    numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
-    if len(numbers) != 9:
-        raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9; correct it")
+    words = re.split(r"[\s,]+", pairs["lattice"].strip())
+    numbers = _finite(words)
+    if not len(words) == len(numbers) == 9:
+        raise ValueError(f'its Lattice is "{pairs["lattice"]}", not 9 numbers; correct it')
     repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
     cell = {
         "Lattice": numpy.array(numbers).reshape(3, 3),
@@ -250,7 +257,7 @@ def read_gro(path: Path) -> Frames:
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1][FIELD] = _edges_of(lines[end])
-        times += map(float, re.findall(r"\bt\s*=\s*([-+.\deE]+)", lines[place])[-1:])
+        times += _finite(re.findall(r"\bt\s*=\s*([-+.\deE]+)", lines[place])[-1:])
         place = end + 1
     add_elements(frames, _ANGSTROM, are_names=True)
     increase = all(before < after for before, after in zip(times, times[1:]))
@@ -279,9 +286,10 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
 def _edges_of(line: str) -> Frame:
     """Reads the box of a .gro: sides, then off-diagonal entries; blanks may be missing."""
     are_apart = all(cell.count(".") < 2 for cell in line.split())
-    cells = [*map(float, line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line))]
-    if len(cells) not in (3, 9):
-        raise ValueError(f"its box has {len(cells)} numbers, not 3 or 9; correct it")
+    words = line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line)
+    cells = _finite(words)
+    if len(words) != len(cells) or len(cells) not in (3, 9):
+        raise ValueError(f'its box is "{line.strip()}", not 3 or 9 numbers; correct it')
     x, y, z, *rest = cells
     xy, xz, yx, yz, zx, zy = rest or 6 * [0.0]
     return {"Lattice": numpy.array([[x, xy, xz], [yx, y, yz], [zx, zy, z]])}

@@ -54,7 +54,8 @@ def _check_size(reader: Any, size: int) -> None:
     with quiet() as said:
         reader.UpdateInformation()
     if said.errors:
-        raise ValueError(said.errors[0])
+        told = [text for text in said.errors if "returned failure for request" not in text]
+        raise ValueError(told[0] if told else "its header is invalid; write it again")
     low_high = reader.GetDataExtent()
     count = math.prod(high - low + 1 for low, high in zip(low_high[::2], low_high[1::2]))
     width = vtkDataArray.GetDataTypeSize(reader.GetDataScalarType())
@@ -135,6 +136,8 @@ def _read_nrrd(
         axes = numpy.diag([abs(x) if x and math.isfinite(x) else 1.0 for x in spacings])
     image.SetSpacing(*numpy.linalg.norm(axes, axis=1))
     origin = fields.get("space origin", "(0,0,0)").strip("() ").split(",")
+    if len(origin) != 3:
+        raise ValueError(f"its space origin has {len(origin)} number(s), not 3; correct it")
     return _place(path, image, list(map(float, origin)), axes)
 
 

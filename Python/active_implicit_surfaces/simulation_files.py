@@ -117,7 +117,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
         raise ValueError(f"a frame is incomplete or damaged ({error}); write it again") from error
     if len(rows) < count:
         raise ValueError(f"a frame has only {len(rows)} of {count} atoms; write the file again")
-    cells = rows[0].split() if count else [""] * len(names)
+    cells = _cells_of(rows[0], names) if count else [""] * len(names)
     used = [i for i, (name, cell) in enumerate(zip(names, cells)) if number(cell) is not None]
     table = numpy.loadtxt(rows[:count], usecols=used, ndmin=2) if count else numpy.zeros((0, 99))
     opening = next((one for one in _OPENINGS if "x" + one in names), "")
@@ -139,6 +139,16 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
         frame[SYMBOLS] = [row.split()[names.index("element")] for row in rows[:count]]
         add_elements([frame])
     return frame
+
+
+def _cells_of(row: str, names: list[str]) -> list[str]:
+    cells = row.split()
+    if len(cells) < len(names):
+        raise ValueError(
+            f"an atom has {len(cells)} column(s), but its frame names {len(names)}; write the file "
+            "again"
+        )
+    return cells
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy
 
 from .atom_files import read_molecule
-from .tables import POSITIONS, Frame, Frames, read_table
+from .tables import POSITIONS, Frame, Frames, number, read_table
 
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 _HEAD = 1 << 16  # bytes at the start of a file that are searched for times
@@ -133,7 +133,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             'named "positions"'
         )
     if found.lower() == "x" and "y" in names:
-        arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
+        arrays = {**arrays, "positions": _stacked([arrays[names[n]] for n in "xyz"])}
         found = "positions"
     positions = arrays[found]
     positions = positions.reshape(0, 3) if positions.shape == (0,) else positions
@@ -145,20 +145,37 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             "(frames, n, 3)"
         )
     counts = arrays.get("counts")
-    if counts is not None and positions.ndim == 2:
-        if int(counts.sum()) == len(positions):
-            return _cut(arrays, found, counts)
-        if counts.shape != positions.shape[:1]:  # else an array of the particles
-            raise ValueError(
-                f'its array "counts" adds up to {int(counts.sum())}, but there are '
-                f"{len(positions)} positions; correct one of the two"
-            )
+    if counts is not None and positions.ndim == 2 and _are_counts(counts, positions):
+        return _cut(arrays, found, counts)
     moving = positions if positions.ndim == 3 else positions[None]
     frames = [{"positions": frame} for frame in moving]
     for name, values in arrays.items():
         if name != found:
             _share(frames, name, values, positions)
     return frames, _times(arrays, len(frames)) if positions.ndim == 3 else None
+
+
+def _stacked(axes: list[Any]) -> Any:
+    if len({axis.shape for axis in axes}) > 1:
+        raise ValueError("its arrays x, y and z differ in shape; correct them")
+    return numpy.stack(axes, axis=-1)
+
+
+def _are_counts(counts: Any, positions: Any) -> bool:
+    """Returns True for the particles of each frame, False for an array of the particles."""
+    are_natural = counts.dtype.kind in "iu" and bool((counts >= 0).all())
+    if are_natural and int(counts.sum()) == len(positions):
+        return True
+    if counts.shape == positions.shape[:1]:
+        return False
+    if not are_natural:
+        raise ValueError(
+            'its array "counts" has values that are not whole numbers of 0 or more; correct it'
+        )
+    raise ValueError(
+        f'its array "counts" adds up to {int(counts.sum())}, but there are {len(positions)} '
+        "positions; correct one of the two"
+    )
 
 
 def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
@@ -188,18 +205,25 @@ def _share(frames: list[Frame], name: str, values: Any, positions: Any) -> None:
             frame[name] = values
 
 
+def _numbers(name: str, values: Any) -> list[float]:
+    if values.dtype.kind not in "iuf":
+        raise ValueError(f'its array "{name}" has values that are not numbers; correct it')
+    return [float(time) for time in values]
+
+
 def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
     for name in ("times", "time"):
         if name in arrays and arrays[name].shape == (count,):
-            return [float(time) for time in arrays[name]]
+            return _numbers(name, arrays[name])
     if "times" in arrays and arrays["times"].ndim == 1:
         raise ValueError(
             f'its array "times" has {len(arrays["times"])} values for {count} frames; '
             "write one for each frame"
         )
     if "fps" in arrays and arrays["fps"].size == 1:
-        rate = float(arrays["fps"].ravel()[0])
-        if not rate > 0:
-            raise ValueError(f'its "fps" is {rate:g}, not a number above 0; correct it')
+        rate = number(str(arrays["fps"].ravel()[0]))
+        if rate is None or not 0 < rate < numpy.inf:
+            said = arrays["fps"].ravel()[0]
+            raise ValueError(f'its "fps" is {said}, not a finite number above 0; correct it')
         return [step / rate for step in range(count)]
     return None

@@ -145,7 +145,7 @@ class Particles(CommandTest):
                 {"counts": [500, 999]},
             ),
             ('"times" has 2 values for 3 frames', frames, {"times": [0, 1]}),
-            ('"fps" is 0, not a number above 0', frames, {"fps": 0}),
+            ('"fps" is 0, not a finite number above 0', frames, {"fps": 0}),
         )
         for words, positions, more in cases:
             with self.subTest(words):

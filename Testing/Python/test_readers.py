@@ -298,7 +298,7 @@ class Molecules(ReaderTest):
         self.assertEqual(found["Lattice"], [1, 0, 0, 0, 2, 0, 0, 0, 3])
         self.succeed("convert", path, "-o", "a.vtp")
         self.assertIn(b"Lattice", (self.folder / "a.vtp").read_bytes())
-        self.assert_refused("2 numbers, not 9", self.put("a.xyz", '1\nLattice="1 2"\nO 0 0 0\n'))
+        self.assert_refused("not 9 numbers", self.put("a.xyz", '1\nLattice="1 2"\nO 0 0 0\n'))
 
     def test_frames_times_and_none(self):
         frame = "1\ni = {0}, time = {0}.5, E = -1\nO {0} 0 0\n"
