@@ -74,9 +74,10 @@ def warn_of_losses(suffix: str, data: Any) -> None:
     if lost:
         others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
         better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
+        these, them = ("these are", "them") if len(lost) > 1 else ("this is", "it")
         warn(
-            f"A {suffix} file cannot hold {', '.join(lost)}, so these are left out; write "
-            f"{' or '.join(better)} to keep them."
+            f"A {suffix} file cannot hold {', '.join(lost)}, so {these} left out; write "
+            f"{' or '.join(better)} to keep {them}."
         )
 
 

@@ -24,9 +24,8 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     for box in boxes:
         if numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size:
             raise ValueError(
-                f"The periodic box changes its sides ({_text(boxes[0])}, then {_text(box)}) or its "
-                "place; the filter needs one box. Give periodic_bounds for all frames in place of "
-                "periodic."
+                f"The periodic box changes from {_text(boxes[0])} to {_text(box)}; the filter "
+                "needs one box. Give periodic_bounds for all frames in place of periodic."
             )
     return boxes[0]
 
@@ -39,8 +38,8 @@ def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]
 
 
 def _text(box: tuple[float, ...]) -> str:
-    sides = [high - low for low, high in zip(box[::2], box[1::2])]
-    return " x ".join(f"{side:g}" if side > 0 else "(no period)" for side in sides)
+    ends = zip(box[::2], box[1::2])
+    return " x ".join(f"[{a:.9g}, {b:.9g}]" if a < b else "(no period)" for a, b in ends)
 
 
 def _box_of(frame: Any) -> tuple[float, ...]:
@@ -52,6 +51,12 @@ def _box_of(frame: Any) -> tuple[float, ...]:
             "A frame has no particles with a box (files .xyz, .dump, .gro and .pdb may have one); "
             "give periodic_bounds in place of periodic."
         )
+    for name, count in (("Lattice", 9), ("Origin", 3), ("pbc", 3)):
+        if name in known and known[name].size != count:
+            raise ValueError(
+                f"The {name} of the box has {known[name].size} numbers, not {count}; correct it, "
+                "or give periodic_bounds in place of periodic."
+            )
     edges = known["Lattice"].reshape(3, 3)
     sides = numpy.diag(edges)
     if numpy.abs(edges - numpy.diag(sides)).max() > _ROUNDING * numpy.abs(edges).max():

@@ -69,8 +69,14 @@ class ProbedAtoms:
         array = atoms.GetPointData().GetArray(self._radii)
         if array is None:
             raise ValueError(
-                f"The atoms have no array {self._radii!r} of van der Waals radii, which a probe "
-                "needs; write elements in the file, or name an array of radii (option radii)."
+                f"The atoms have no array of numbers {self._radii!r}, but a probe needs van der "
+                "Waals radii; choose an array of radii by the option radii, or leave radii out and "
+                "write elements into an .xyz, .pdb or .dump."
+            )
+        if array.GetNumberOfComponents() != 1:
+            raise ValueError(
+                f"The array {self._radii!r} has {array.GetNumberOfComponents()} components, but "
+                "radii need one number for each atom; choose another array by the option radii."
             )
         return vtk_to_numpy(array)
 

@@ -374,7 +374,9 @@ class Files(CommandTest):
         self.write("2 0 0 0.5 2 0 0 0 5")
         self.assertIn("slanted or rotated", self.fail_with(1, *command))
         self.write("2 0 0 0 2 0 0 0 5", "2.1 0 0 0 2 0 0 0 5")
-        self.assertIn("changes its sides (2 x 2", self.fail_with(1, *command))
+        self.assertIn(
+            "from [0, 2] x [0, 2] x (no period) to [0, 2.1] x", self.fail_with(1, *command)
+        )
         numpy.save(self.folder / "p.npy", water(0))
         command = ("skin", "p.npy", "--periodic", "-o", "a.vtp")
         self.assertIn("no particles with a box", self.fail_with(1, *command))

@@ -218,7 +218,7 @@ class Skins(unittest.TestCase):
     def test_errors(self):
         centers, radii = cyclohexane()
         cases = (
-            ("no array 'radius'", {"probe": 1.4}),
+            ("no array of numbers 'radius'", {"probe": 1.4}),
             ("0 or more, not -1", {"probe": -1.0, "radii": radii}),
             ("0 or more, not nan", {"probe": float("nan"), "radii": radii}),
             ("preset molecule has no effect", {"probe": 1.4, "radii": radii, "preset": "molecule"}),

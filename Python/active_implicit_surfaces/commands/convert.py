@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
@@ -229,16 +230,26 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         raise OSError(f"{file}: {error}") from error
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
-        low, high = scalars.GetRange()
-        labels = list[int]()
-        with suppress(ValueError):
-            labels = labels_of(image) if options.level is None and low >= 0 else []
-        raise OSError(
-            f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
-            f"{high:g}; choose another --level or file"
-            + (f", or a --label of {few(labels, 20)}." if labels else ".")
-        )
+        raise OSError(_about_no_surface(file, image, scalars, level, options.level is None))
     return surface
+
+
+def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, is_usual: bool) -> str:
+    values = vtk_to_numpy(scalars)
+    values = values[numpy.isfinite(values)]
+    if not values.size:
+        return f"{file} has no surface: none of its values is finite; choose another file."
+    low, high = values.min(), values.max()
+    if low == high:
+        return f"{file} has no surface: all its values are {low:g}; choose another file."
+    labels = list[int]()
+    with suppress(ValueError):
+        labels = labels_of(image) if is_usual and low >= 0 else []
+    return (
+        f"{file} has no surface at the level {level:g}: its values are from {low:g} to {high:g}; "
+        "choose another --level or file"
+        + (f", or a --label of {few(labels, 20)}." if labels else ".")
+    )
 
 
 def _is_level_set(file: Path) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import textwrap
 from collections.abc import Callable, Sequence
@@ -37,9 +38,13 @@ class Parser(argparse.ArgumentParser):
             allow_abbrev=False,
             add_help=False,  # add_help() adds it in the right place
         )
+        # Values, no options: also -1,0 and -5:5 and -1e3.
+        self._negative_number_matcher = re.compile(r"-\.?\d")
 
     def error(self, message: str) -> NoReturn:
         text = message.rstrip(".")
+        if text.endswith("expected one argument"):
+            text += "; write OPTION=VALUE if the value begins with -"
         print(f"{self.prog}: {text}; run '{self.prog} --help' for its use.", file=sys.stderr)
         raise SystemExit(2)
 
@@ -55,7 +60,9 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
 
     names = [name for action in parser._actions for name in action.option_strings]
     if not word.startswith("-"):
-        return f"{word} is one argument too many; leave it out, or list a series together"
+        is_series = any(action.nargs == "+" for action in parser._actions)
+        hint = ", or list a series together" * is_series
+        return f"{word} is one argument too many; leave it out{hint}"
     name = word.partition("=")[0]
     # Short options resemble each other too much: -r is no typing error for -o.
     near = difflib.get_close_matches(name, names, 1, 0.5) if name.startswith("--") else []

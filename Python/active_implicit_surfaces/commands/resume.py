@@ -61,7 +61,9 @@ class Resumption(Sink):
         self._compare_files(files)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
-        heard.raise_error(OSError)
+        if heard.errors:  # without the filter's own advice
+            said = heard.errors[0].partition(";")[0]
+            raise OSError(f"{said}; run without --resume to make all skins again.")
         self.view = view
         return done
 
@@ -156,4 +158,9 @@ class Resumption(Sink):
 
 
 def _with(name: str, value: Any) -> str:
-    return f"without {name}" if value is None else f"with {name} {value}"
+    if value is None:
+        return f"without {name}"
+    if isinstance(value, list):  # frames are FIRST:LAST:STEP
+        parts = ["" if one is None else str(one) for one in value]
+        value = (":" if name == "frames" else " ").join(parts)
+    return f"with {name} {value}"
