@@ -37,7 +37,10 @@ def read_molecule(lines: list[str]) -> Frames:
             place += 1
             continue
         if not re.fullmatch(r"\s*\d+\s*", lines[place]):
-            raise ValueError(f"line {place + 1} is not the number of atoms of a frame; correct it")
+            raise ValueError(
+                f"line {place + 1} is not the number of atoms of a frame; correct it, or the "
+                "number of the frame before it"
+            )
         count = int(lines[place])
         comment = lines[place + 1] if place + 1 < len(lines) else ""
         pairs = {name.lower(): value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
@@ -139,7 +142,7 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
         raise ValueError(f'its Lattice is "{pairs["lattice"]}", not 9 numbers; correct it')
     repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
     cell = {
-        "Lattice": numpy.array(numbers).reshape(3, 3),
+        "Lattice": numpy.array(numbers, dtype=float).reshape(3, 3),
         "pbc": numpy.array([repeats], dtype="u1"),
     }
     corner = [float(word) for word in re.split(r"[\s,]+", pairs.get("origin", "").strip()) if word]
@@ -167,6 +170,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     radii = {n: radius if radius < _LARGEST_RADIUS else 0.0 for n, radius in radii.items()}
     unknown = sorted(symbol for symbol, number in found.items() if not radii[number])
     are_known = len(unknown) < len(found)
+    has_radii = all("radius" in frame for frame in frames)
     for frame, own in zip(frames, listed):
         if own is not None and (are_known or not found):
             numbers = [found[symbol] for symbol in own]
@@ -177,9 +181,11 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame.setdefault("radius", usual)
     if unknown:
         effect = "get the radius 0" if are_known else "get no radius from it"
+        effect += ". Write elements in the file, or choose an array of radii."
+        effect = "keep the radii of the file." if has_radii else effect
         warn(
             f"{few(unknown)}: there is no element of this symbol, or no known radius; these atoms "
-            f"{effect}. Write elements in the file, or choose an array of radii."
+            f"{effect}"
         )
 
 
@@ -248,7 +254,8 @@ def read_gro(path: Path) -> Frames:
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
         if not re.fullmatch(r"\s*\d+\s*", "".join(lines[place + 1 : place + 2])):
-            raise ValueError(f"line {place + 2} is not the number of atoms; correct it")
+            other = ", or the number of the frame before it" if frames else ""
+            raise ValueError(f"line {place + 2} is not the number of atoms; correct it{other}")
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
             raise ValueError(

@@ -89,13 +89,15 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
             "(active-surface --label, or vtkImageThreshold), else give target_iso_value, the value "
             "at the surface, and invert_target if inside is above."
         )
-    if values[0] == values[-1]:
-        raise ValueError(
-            f"The image has no surface: all values are {values[0]:g}. Choose another label or file."
-        )
     finite = values[numpy.isfinite(values)]
     if not finite.size:
         raise ValueError("The image has no finite value, so no inside; give another image.")
+    if finite[0] == finite[-1]:
+        kind = "" if len(finite) == len(values) else "finite "
+        raise ValueError(
+            f"The image has no surface: all {kind}values are {finite[0]:g}. Choose another label "
+            "or file."
+        )
     raise ValueError(
         f"The image has no inside: its finite values are from {finite[0]:g} to {finite[-1]:g}, "
         "none below 0. "

@@ -141,7 +141,9 @@ def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
         found = found or fnmatch.filter(there, path.name.replace("[", "[[]"))
     if not found:
         what = "No file fits the pattern" if is_pattern else "There is no file"
-        hint = "; its folder does not exist, and only the name of a file may be a pattern"
+        hint = "; its folder does not exist"
+        if glob.has_magic(str(path.parent)) or _NUMBER.search(str(path.parent)):
+            hint += ", and only the name of a file may be a pattern"
         raise OSError(f"{what} {path}{'' if path.parent.is_dir() else hint}.")
     numbers_in = _numbers_in(found)
     found.sort(key=lambda name: natural_key(name, numbers_in))
@@ -159,7 +161,10 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
             "choose another folder."
         )
     numbers = _numbers_in([path.name for path in found])
-    series = Counter("*".join(numbers.split(path.name)[::2]) for path in found)
+    parts = [numbers.split(path.name) for path in found]
+    # Unlike *, #### does not fit the names of another series, as run_* fits run_old_1.
+    are_whole = all(number.lstrip("-").isdigit() for own in parts for number in own[1::2])
+    series = Counter(("####" if are_whole else "*").join(own[::2]) for own in parts)
     if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):
         raise OSError(
             f"{folder} cannot be read: the folder has several series, {', '.join(sorted(series))}; "
@@ -206,8 +211,8 @@ def read_index(index: Path) -> Listing:
         frames[-1][part] = name
     parts = [tuple(_beside(index, name) for name in frame.values()) for frame in frames]
     note = left_out and (
-        f"{index} lists several files for one time, as after a restart; the last entry is used, "
-        f"and {len(left_out)} before it, such as {left_out[0]}, are left out. If the files are "
+        f"{index} lists several files for one time, as after a restart; the last entry is used. "
+        f"Number of files left out: {len(left_out)}, such as {left_out[0]}. If the files are "
         "parts of one frame, number the parts with part= in a .pvd."
     )
     return Listing(parts, times, note or "")

@@ -41,8 +41,13 @@ def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
             return _read_nrrd(path, fields, values, reader, update)
         _check_size(reader, len(values))
         image = update(reader)
-        turn = next(filter(None, map(fields.get, _TURNS)), "1 0 0 0 1 0 0 0 1").split()
-        axes = numpy.array(turn, dtype=float).reshape(3, 3)
+        turn = next((name for name in _TURNS if fields.get(name)), "")
+        words = fields[turn].split() if turn else "1 0 0 0 1 0 0 0 1".split()
+        if len(words) != 9:
+            raise ValueError(
+                f"its {turn} has {len(words)} number(s), not 9; write an image of three axes"
+            )
+        axes = numpy.array(words, dtype=float).reshape(3, 3)
         return _place(path, image, image.GetOrigin(), axes)
     except _DAMAGE as error:
         said = f"it has no {error}" if isinstance(error, KeyError) else str(error)

@@ -119,7 +119,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
         raise ValueError(f"a frame has only {len(rows)} of {count} atoms; write the file again")
     cells = _cells_of(rows[0], names) if count else [""] * len(names)
     used = [i for i, (name, cell) in enumerate(zip(names, cells)) if number(cell) is not None]
-    table = numpy.loadtxt(rows[:count], usecols=used, ndmin=2) if count else numpy.zeros((0, 99))
+    table = _table_of(rows[:count], used) if count else numpy.zeros((0, 99))
     opening = next((one for one in _OPENINGS if "x" + one in names), "")
     columns = group_columns([re.sub(f"^([xyz]){opening}$", r"\1", names[i]) for i in used])
     if "positions" not in columns:
@@ -151,9 +151,22 @@ def _cells_of(row: str, names: list[str]) -> list[str]:
     return cells
 
 
+def _table_of(rows: list[str], columns: list[int]) -> Any:
+    try:
+        return numpy.loadtxt(rows, usecols=columns, ndmin=2)
+    except ValueError as error:
+        for row in rows:
+            cells = row.split()
+            if len(cells) <= max(columns) or None in (number(cells[i]) for i in columns):
+                raise ValueError(f'a frame has the row "{row}" for an atom; correct it') from error
+        raise
+
+
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
     """Returns the box as arrays Lattice, Origin and pbc, and its corner."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
+    if rows.shape not in ((3, 2), (3, 3), (3, 4)):
+        raise ValueError("its BOX BOUNDS are not 3 rows of 2 to 4 numbers")
     if rows.shape == (3, 4):
         edges, origin = rows[:, :3], rows[:, 3]
     else:

@@ -97,7 +97,11 @@ def _even_array(what: str, values: Any) -> Any:
         raise ValueError(
             f"its {what} has rows of different lengths or depths; write rows of one form"
         ) from None
-    if found.dtype == object and all(isinstance(cell, (str, type(None))) for cell in values):
+    if (
+        found.dtype == object
+        and found.ndim == 1
+        and all(isinstance(cell, (str, type(None))) for cell in values)
+    ):
         return numpy.array([cell or "" for cell in values])
     return found
 
@@ -127,7 +131,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     found = next((names[name] for name in (*POSITIONS, "x") if name in names), None)
     if found is None and len(arrays) == 1:
         found = next(iter(arrays))
-    if found is None or (found.lower() == "x" and "y" in names and "z" not in names):
+    if found is None or (found.lower() == "x" and ("y" in names) != ("z" in names)):
         raise ValueError(
             f"it has no array of positions, but {', '.join(arrays) or 'nothing'}; add an array "
             'named "positions"'
@@ -163,6 +167,8 @@ def _stacked(axes: list[Any]) -> Any:
 
 def _are_counts(counts: Any, positions: Any) -> bool:
     """Returns True for the particles of each frame, False for an array of the particles."""
+    if counts.ndim != 1:
+        return False
     are_natural = counts.dtype.kind in "iu" and bool((counts >= 0).all())
     if are_natural and int(counts.sum()) == len(positions):
         return True
@@ -217,7 +223,7 @@ def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
             return _numbers(name, arrays[name])
     if "times" in arrays and arrays["times"].ndim == 1:
         raise ValueError(
-            f'its array "times" has {len(arrays["times"])} values for {count} frames; '
+            f'its array "times" has {len(arrays["times"])} value(s) for {count} frame(s); '
             "write one for each frame"
         )
     if "fps" in arrays and arrays["fps"].size == 1:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -11,15 +12,16 @@ FRAMES_PER_SECOND = 25.0  # default without other information
 def check_times(times: Iterable[float]) -> list[float]:
     """Returns the times as a list.
 
-    Raises ValueError if there are no times, or the times do not increase.
+    Raises ValueError if there are no times, or the times are not finite or do not increase.
     """
     own = [float(time) for time in times]
     if not own:
         raise ValueError("There are no frames or no times; give at least one frame.")
-    if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
+    do_increase = all(after > before for before, after in zip(own, own[1:]))
+    if not do_increase or not all(map(math.isfinite, own)):
         raise ValueError(
-            "Times have to increase from frame to frame; sort the frames by time, and remove "
-            "repeated and NaN times."
+            "Times have to be finite, and have to increase from frame to frame; sort the frames by "
+            "time, and remove repeated, infinite and NaN times."
         )
     return own
 

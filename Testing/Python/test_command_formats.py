@@ -144,13 +144,33 @@ class Particles(CommandTest):
                 rows,
                 {"counts": [500, 999]},
             ),
-            ('"times" has 2 values for 3 frames', frames, {"times": [0, 1]}),
+            ('"times" has 2 value(s) for 3 frame(s)', frames, {"times": [0, 1]}),
+            ('"times" has 3 value(s) for 1 frame(s)', frames[:1], {"times": [0, 1, 2]}),
+            (
+                '"times" has values that are not numbers',
+                frames,
+                {"times": numpy.full(3, "2020", "M8[D]")},
+            ),
+            ("a.npz: Times have to be finite", frames, {"times": [0, 1, numpy.inf]}),
+            ("a.npz: Times have to be finite", frames, {"times": [0, 1, 1]}),
             ('"fps" is 0, not a finite number above 0', frames, {"fps": 0}),
         )
         for words, positions, more in cases:
             with self.subTest(words):
                 numpy.savez(self.folder / "a.npz", positions=positions, **more)
                 self.assertIn(words, self.fail_with(1, "info", self.folder / "a.npz"))
+
+    def test_arrays_of_a_json(self):
+        points = {"positions": [[1, 2, 3]]}
+        for more in {"comment": None}, {"counts": ["one"]}, {"counts": 1}, {"counts": [1.0]}:
+            path = self.put("a.json", json.dumps({**points, **more}))
+            self.assertEqual(open_particles(path).load(0).GetPoint(0), (1, 2, 3), more)
+        for arrays, words in (
+            ({"x": [1, 2], "z": [1, 2]}, "no array of positions, but x, z"),
+            ({"x": [1, 2], "y": [1, 2], "z": [1]}, "arrays x, y and z differ in shape"),
+        ):
+            said = self.fail_with(1, "info", self.put("b.json", json.dumps(arrays)))
+            self.assertIn(words, said)
 
     def test_frames_of_one_file_stay_as_they_were(self):
         series = open_particles(DROP)
@@ -255,7 +275,7 @@ class Meshes(CommandTest):
         said = self.fail_with(1, "convert", self.folder / "a.npz", "-o", self.folder / "a.stl")
         self.assertIn("active-surface skin", said)
         said = self.fail_with(1, "convert", self.cube, "-o", self.folder / "a.csv")
-        self.assertIn("meshes are written as", said)
+        self.assertIn("meshes and images are written as", said)
 
     def test_a_glb_is_one(self):
         for mesh in (self.ball, self.cube):

@@ -242,8 +242,10 @@ class GoingOn(CommandTest):
 
     def test_damaged_notes_are_told(self):
         self.fail_with(1, *self.command)
-        (self.folder / "a" / ".s.state.json").write_text("{")
-        self.assertIn("is damaged", self.fail_with(1, *self.command, "--resume"))
+        notes = '{"done": 1, "times": [0], "options": [1], "files": []}'
+        for text in "{", notes, notes.replace("[1]", "{}").replace("[]", "[3]"):
+            (self.folder / "a" / ".s.state.json").write_text(text)
+            self.assertIn("is damaged", self.fail_with(1, *self.command, "--resume"))
 
     def test_a_damaged_state_is_told(self):
         self.fail_with(1, *self.command)

@@ -211,6 +211,11 @@ class Images(CommandTest):
         self.put("labels.nrrd", head.encode() + b"\n" + values.astype("<i2").tobytes())
         said = self.fail_with(1, "convert", "labels.nrrd", "-o", "a.stl")
         self.assertIn("or a --label of 1, 3.", said)
+        same = numpy.full_like(values, 3).astype("<i2")
+        self.put("same.nrrd", head.encode() + b"\n" + same.tobytes())
+        for options in (), ("--label", 3):
+            said = self.fail_with(1, "convert", "same.nrrd", "-o", "a.stl", *options)
+            self.assertIn("same.nrrd has no surface: all its values are 3; choose another", said)
         said = self.fail_with(1, "morph", "labels.nrrd", "a.nrrd")
         self.assertIn("has the values 1, 3; if they are labels, choose one (active-surface", said)
 
@@ -221,6 +226,13 @@ class Images(CommandTest):
         head = b"NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = no.raw\n"
         self.put("a.mhd", head)
         self.assertIn("no.raw", self.fail_with(1, "info", "a.mhd"))
+        flat = b"NDims = 2\nDimSize = 2 2\nElementType = MET_UCHAR\nTransformMatrix = 1 0 0 1\n"
+        self.put("a.mha", flat + b"ElementDataFile = LOCAL\n" + bytes(4))
+        self.assertIn("TransformMatrix has 4 number(s), not 9", self.fail_with(1, "info", "a.mha"))
+        head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 1\nspace origin: (0,0)\n"
+        self.put("a.nrrd", f"{head}encoding: raw\n\n7".encode())
+        said = self.fail_with(1, "info", "a.nrrd")
+        self.assertIn("a.nrrd cannot be read: its space origin has 2 number(s), not 3", said)
         self.put("a.nii", b"no image")
         self.assertIn("a.nii cannot be read", self.fail_with(1, "info", "a.nii"))
 

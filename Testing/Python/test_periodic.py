@@ -377,6 +377,9 @@ class Files(CommandTest):
         self.assertIn(
             "from [0, 2] x [0, 2] x (no period) to [0, 2.1] x", self.fail_with(1, *command)
         )
+        text = (self.folder / "p.xyz").read_text().replace("T T F", "T T")
+        (self.folder / "p.xyz").write_text(text)
+        self.assertIn("The pbc of the box has 2 numbers, not 3", self.fail_with(1, *command))
         numpy.save(self.folder / "p.npy", water(0))
         command = ("skin", "p.npy", "--periodic", "-o", "a.vtp")
         self.assertIn("no particles with a box", self.fail_with(1, *command))

@@ -12,6 +12,7 @@ import warnings
 
 import numpy
 from active_implicit_surfaces.data_objects import finite_points
+from active_implicit_surfaces.messages import ActiveSurfaceWarning
 from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from reader_checks import ReaderTest, array_of
@@ -259,6 +260,11 @@ class Molecules(ReaderTest):
                 found, said = self.numbers(*symbols)
                 self.assertIn(f"{unknown}: there is no element of this symbol", said)
         self.assertIsNone(found)  # unknown radii follow from the distances
+        for columns, effect in ("", "get the radius 0"), (":radius:R:1", "keep the radii of the"):
+            rows = "C 0 0 0 1.5\nXx 3 0 0 2.5\n"
+            path = self.put("r.xyz", f"2\nProperties=species:S:1:pos:R:3{columns}\n{rows}")
+            with self.assertWarnsRegex(ActiveSurfaceWarning, f"these atoms {effect}"):
+                open_particles(path).load(0)
 
     def test_properties_name_the_columns(self):
         for properties, row, wanted in (
@@ -298,7 +304,9 @@ class Molecules(ReaderTest):
         self.assertEqual(found["Lattice"], [1, 0, 0, 0, 2, 0, 0, 0, 3])
         self.succeed("convert", path, "-o", "a.vtp")
         self.assertIn(b"Lattice", (self.folder / "a.vtp").read_bytes())
-        self.assert_refused("not 9 numbers", self.put("a.xyz", '1\nLattice="1 2"\nO 0 0 0\n'))
+        for lattice in "1 2", "a 0 0 0 1 0 0 0 1":
+            path = self.put("a.xyz", f'1\nLattice="{lattice}"\nO 0 0 0\n')
+            self.assert_refused(f'its Lattice is "{lattice}", not 9 numbers', path)
 
     def test_frames_times_and_none(self):
         frame = "1\ni = {0}, time = {0}.5, E = -1\nO {0} 0 0\n"

@@ -153,6 +153,8 @@ class Names(ReaderTest):
             self.put(f"p[a]_{step}.csv", POINT)
         for name in ("p[a]_*.csv", "p[a]_#.csv"):
             self.assertEqual(len(open_particles(name)), 2)
+        with self.assertRaisesRegex(OSError, r"none/p.csv; its folder does not exist\.$"):
+            open_particles("none/p.csv")
         with self.assertRaisesRegex(OSError, "only the name of a file may be a pattern"):
             open_particles("none*/p_*.csv")
 
@@ -165,8 +167,13 @@ class Names(ReaderTest):
         self.succeed("skin", "run", "-o", "s_##.vtp", "--particle-spacing", 1)
         self.assertTrue((self.folder / "s_10.vtp").exists())
         self.put("run/wall_1.csv", POINT)
-        with self.assertRaisesRegex(OSError, r"several series, p_\*.csv, wall_\*.csv; choose one"):
+        with self.assertRaisesRegex(OSError, "several series, p_####.csv, wall_####.csv; choose"):
             open_particles("run")
+        for name in ("p_1.csv", "p_2.csv", "p_old_1.csv"):
+            self.put(f"two/{name}", POINT)
+        with self.assertRaisesRegex(OSError, "choose one, as two/p_####.csv"):
+            open_particles("two")
+        self.assertEqual(len(open_particles("two/p_####.csv")), 2)
         os.mkdir("none")
         with self.assertRaisesRegex(OSError, "none cannot be read: the folder has no file"):
             open_particles("none")

@@ -130,6 +130,9 @@ class Dumps(ReaderTest):
             ("it is no dump", "1 2 3\n"),
             ("it is binary; write it as text", b"\0\1" + bytes(90)),
             ("a frame is incomplete or damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),
+            ("its BOX BOUNDS are not 3 rows", dump([[1, 1, 0, 0, 0]], box="0 1")),
+            ('the row "2 1 a 0 0" for an atom', dump([[1, 1, 0, 0, 0], "21a00"])),
+            ('the row "2 1 0 0" for an atom', dump([[1, 1, 0, 0, 0], "2100"])),
             ("of numbers, but id, type, a", whole.replace("x y z", "a b c")),
         ):
             self.assert_refused(words, self.put("a.dump", text))
@@ -157,6 +160,8 @@ class Atoms(ReaderTest):
         for words, wrong in (
             ("ends before the 3 atoms of line 2 or their box", text[:150]),
             ("line 2 is not the number of atoms", "a\nb\n"),
+            ('x   1.82060", not 3 or 9 numbers', text.replace("0   1.82060   1", "0   x   1")),
+            ('"1.82060", not 3 or 9 numbers', text.replace("1.82060   1.82060   ", "")),
             ("line 4 lacks a valid position, velocity", text.replace("0.190", "x.190")),
         ):
             self.assert_refused(words, self.put("b.gro", wrong))

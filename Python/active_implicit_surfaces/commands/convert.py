@@ -185,7 +185,7 @@ def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
 def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     is_vdb = suffix_of(output) == ".vdb"
     if suffix_of(output) not in _MESHES:
-        raise OSError(f"{output}: meshes are written as {', '.join(_MESHES)}.")
+        raise OSError(f"{output}: meshes and images are written as {', '.join(_MESHES)}.")
     note = note_once() if len(listing.frames) > 1 else None
     up = options.up  # up axis of a .glb: from the first file with points, for all files
 
@@ -230,21 +230,22 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         raise OSError(f"{file}: {error}") from error
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
-        raise OSError(_about_no_surface(file, image, scalars, level, options.level is None))
+        raise OSError(_about_no_surface(file, image, scalars, level, options))
     return surface
 
 
-def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, is_usual: bool) -> str:
+def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, options: Any) -> str:
     values = vtk_to_numpy(scalars)
     values = values[numpy.isfinite(values)]
     if not values.size:
         return f"{file} has no surface: none of its values is finite; choose another file."
     low, high = values.min(), values.max()
     if low == high:
-        return f"{file} has no surface: all its values are {low:g}; choose another file."
+        value = low if options.label is None else options.label
+        return f"{file} has no surface: all its values are {value:g}; choose another file."
     labels = list[int]()
     with suppress(ValueError):
-        labels = labels_of(image) if is_usual and low >= 0 else []
+        labels = labels_of(image) if options.level is None and low >= 0 else []
     return (
         f"{file} has no surface at the level {level:g}: its values are from {low:g} to {high:g}; "
         "choose another --level or file"

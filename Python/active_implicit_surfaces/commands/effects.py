@@ -104,7 +104,7 @@ def check_effects(
                 parser.error(f"{option} has no effect here: it acts {where}")
     if idle:
         text = (
-            f"No effect on one frame: {', '.join(idle)}; give a series, or leave these options out."
+            f"No effect on one frame: {', '.join(idle)}; give a series, or leave the option(s) out."
         )
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=2)
 

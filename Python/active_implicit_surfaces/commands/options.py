@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import textwrap
 from collections.abc import Callable, Sequence
@@ -38,8 +37,6 @@ class Parser(argparse.ArgumentParser):
             allow_abbrev=False,
             add_help=False,  # add_help() adds it in the right place
         )
-        # Values, no options: also -1,0 and -5:5 and -1e3.
-        self._negative_number_matcher = re.compile(r"-\.?\d")
 
     def error(self, message: str) -> NoReturn:
         text = message.rstrip(".")
@@ -60,8 +57,8 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
 
     names = [name for action in parser._actions for name in action.option_strings]
     if not word.startswith("-"):
-        is_series = any(action.nargs == "+" for action in parser._actions)
-        hint = ", or list a series together" * is_series
+        has_series = any(action.nargs == "+" for action in parser._actions)
+        hint = ", or, if it is a file, put it next to the other files" if has_series else ""
         return f"{word} is one argument too many; leave it out{hint}"
     name = word.partition("=")[0]
     # Short options resemble each other too much: -r is no typing error for -o.

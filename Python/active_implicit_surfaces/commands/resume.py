@@ -49,8 +49,8 @@ class Resumption(Sink):
             return 0
         try:
             notes = json.loads(self.notes.read_text(encoding="utf-8"))
-            done, past, then = int(notes["done"]), notes["times"], notes["options"]
-            files, view = notes["files"], notes.get("view")
+            done, past, then = int(notes["done"]), [*notes["times"]], dict(notes["options"])
+            files, view = [[*file] for file in notes["files"]], notes.get("view")
             if view:
                 view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
         except (ValueError, KeyError, TypeError, IndexError) as error:
