@@ -185,7 +185,11 @@ class Files(CommandTest):
         self.assertIn("pbc of the box", self.fail_with(1, "skin", "a.xyz", "--periodic"))
 
     def test_an_image_without_a_surface(self):
-        for value, words in ((3, "all its values are 3"), (numpy.nan, "none of its values")):
+        for value, words in (
+            (3, "all its values are 3"),
+            (numpy.where(DISTANCE < 0, 3, numpy.nan), "all its finite values are 3"),
+            (numpy.nan, "none of its values"),
+        ):
             self.image("a.vti", value)
             said = self.fail_with(1, "convert", "a.vti", "-o", "a.stl")
             self.assertIn(f"a.vti has no surface: {words}", said)

@@ -235,14 +235,15 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
 
 
 def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, options: Any) -> str:
-    values = vtk_to_numpy(scalars)
-    values = values[numpy.isfinite(values)]
+    every = vtk_to_numpy(scalars)
+    values = every[numpy.isfinite(every)]
     if not values.size:
         return f"{file} has no surface: none of its values is finite; choose another file."
     low, high = values.min(), values.max()
     if low == high:
         value = low if options.label is None else options.label
-        return f"{file} has no surface: all its values are {value:g}; choose another file."
+        kind = "" if values.size == every.size else "finite "
+        return f"{file} has no surface: all its {kind}values are {value:g}; choose another file."
     labels = list[int]()
     with suppress(ValueError):
         labels = labels_of(image) if options.level is None and low >= 0 else []
