@@ -207,13 +207,6 @@ class Data(CommandTest):
         said = self.fail_with(2, "convert", DROP, "-o", "a.csv", DROP)
         self.assertIn("leave it out, or, if it is a file, put it next to the other files;", said)
 
-    def test_a_frame_without_the_array_is_named(self):
-        numpy.savez(self.folder / "f_1.npz", positions=grid(), kind=numpy.zeros(125))
-        numpy.savez(self.folder / "f_2.npz", positions=grid())
-        said = self.fail_with(1, "convert", self.folder, "--where", "kind=0", "-o", "a_#.csv")
-        self.assertIn("f_2.npz: There is no array", said)
-        self.assertIn("f_2.npz: There is no array 'kind' to choose by", said)
-
     def test_arrays_that_are_missing(self):
         said = self.fail_with(1, "skin", DROP, "--radii", "size", "-o", self.folder / "s_#.vtp")
         self.assertIn("'size'", said)

@@ -165,12 +165,8 @@ class Particles(CommandTest):
         for more in {"comment": None}, {"counts": ["one"]}, {"counts": 1}, {"counts": [1.0]}:
             path = self.put("a.json", json.dumps({**points, **more}))
             self.assertEqual(open_particles(path).load(0).GetPoint(0), (1, 2, 3), more)
-        for arrays, words in (
-            ({"x": [1, 2], "z": [1, 2]}, "no array of positions, but x, z"),
-            ({"x": [1, 2], "y": [1, 2], "z": [1]}, "arrays x, y and z differ in shape"),
-        ):
-            said = self.fail_with(1, "info", self.put("b.json", json.dumps(arrays)))
-            self.assertIn(words, said)
+        said = self.fail_with(1, "info", self.put("b.json", '{"x": [1, 2], "z": [1, 2]}'))
+        self.assertIn("no array of positions, but x, z", said)
 
     def test_frames_of_one_file_stay_as_they_were(self):
         series = open_particles(DROP)
