@@ -8,7 +8,9 @@
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
@@ -17,6 +19,8 @@ using namespace activesurface;
 
 namespace
 {
+
+constexpr std::size_t MaximumNumberOfActiveVoxels = 2000;
 
 // Finds arrays by name. The input bytes select the arrays that are chosen.
 class FuzzArrays : public ChosenArrays
@@ -70,10 +74,13 @@ void SetProperties(FuzzInput& input, SurfaceSettings& settings)
 
 void EvaluateLeaves(const NodeTarget& target, const Shell& shell)
 {
+  // The filter refuses more leaves than a sixteenth of the maximum of active voxels (NodeStep.cxx).
+  constexpr std::size_t most = MaximumNumberOfActiveVoxels / 16;
   float values[512];
   LeafMotion motion;
-  for (const ShellLeaf& leaf : shell.Leaves)
+  for (std::size_t i = 0; i < std::min(shell.Leaves.size(), most); ++i)
   {
+    const ShellLeaf& leaf = shell.Leaves[i];
     target.EvaluateLeaf(leaf, values);
     for (int node = 0; node < 512; ++node)
     {
@@ -122,7 +129,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const ParticleArrays kept{ input.Below(2) == 0, chosen & 8 ? "velocity" : "" };
   Warnings messages;
   TargetBuilder builder(settings, messages);
-  builder.SetMaximumNumberOfActiveVoxels(2000);
+  builder.SetMaximumNumberOfActiveVoxels(MaximumNumberOfActiveVoxels);
   try
   {
     for (int step = 0; step < 2; ++step)
