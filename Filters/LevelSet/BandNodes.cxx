@@ -30,8 +30,8 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
   const std::shared_ptr<const BandPart> partBefore = this->Part;
   try
   {
-    this->HasGhosts = IsControlled(motion); // an exact control moves the surface and needs ghosts
-    this->Leaves = LeafTable();             // all leaves are new
+    this->HasGhosts = false;
+    this->Leaves = LeafTable(); // all leaves are new
     this->SetPart(nullptr);
     this->Leaves.SetDomain(this->Space.get());
     this->Restore(after);
@@ -39,6 +39,10 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
     {
       this->SetPart(CountTogether(this->Leaves, this->Space));
       this->Crossings = this->Part->Crossings;
+    }
+    if (IsControlled(motion)) // an exact control moves the surface and needs ghosts
+    {
+      this->AddGhosts();
     }
     if (frame.End > frame.Begin)
     {

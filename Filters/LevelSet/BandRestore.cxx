@@ -6,7 +6,6 @@
 #include "Leaves/Layers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace activesurface
 {
@@ -53,13 +52,13 @@ void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 {
   this->AdoptTree(tree);
-  if (!this->Paper)
+  if (!this->HasGhosts)
   {
-    this->BoundLayers(this->HasGhosts ? Far : NodeLimit);
-    if (this->HasGhosts)
-    {
-      this->FillGhostsOfAll();
-    }
+    this->BoundLayers();
+  }
+  else if (!this->Paper)
+  {
+    this->FillGhostsOfAll();
   }
   this->FinishFrame();
 }
@@ -83,23 +82,16 @@ void BandState::AddGhosts()
   }
 }
 
-// Sets values of the layers with a magnitude of at least `least` to +-NodeLimit. The node scheme
-// does not create leaves of which all nodes have +-NodeLimit, so their nodes have the background,
-// +-Far.
-void BandState::BoundLayers(float least)
+// Clamps the layers to +-NodeLimit, as the node scheme does. Without the clamp, nodes of the layers
+// would have + or - the background in leaves that the node scheme has not created.
+void BandState::BoundLayers()
 {
   this->Leaves.ForEach(
     [&](std::size_t i)
     {
       BandLeaf& leaf = this->Leaves[i];
-      leaf.UpToLayer[LastLayer].ForEach(
-        [&leaf, least](int node)
-        {
-          if (std::fabs(leaf.Value[node]) >= least)
-          {
-            leaf.Value[node] = std::copysign(NodeLimit, leaf.Value[node]);
-          }
-        });
+      leaf.UpToLayer[LastLayer].ForEach([&leaf](int node)
+        { leaf.Value[node] = std::min(std::max(leaf.Value[node], -NodeLimit), NodeLimit); });
     });
 }
 

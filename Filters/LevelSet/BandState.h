@@ -54,8 +54,8 @@ struct BandState
   /** Replaces the potential. Derives the layers and the active nodes from the signs; in the paper's
    * scheme, active nodes also depend on the tree's active masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** Replaces the potential and the layers. Except in the paper's scheme: extrapolates the ghosts
-   * from the active nodes, or without HasGhosts clamps the layers to +-NodeLimit. */
+  /** Replaces the potential and the layers. Extrapolates the ghosts from the active nodes, except
+   * in the paper's scheme; without HasGhosts, clamps the layers to +-NodeLimit instead. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   /** Sets the totals of a partitioned band; null: the band is whole. Also sets the domain with
    * which LeafTable::Rebuild finds the owners of leaves. */
@@ -111,7 +111,7 @@ private:
   OldPotential GetOld();
   void MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
   void FillGhostsOfAll();
-  void BoundLayers(float least);
+  void BoundLayers();
 
   /** Finds the layers from the signs. Then finds the active nodes and, except in the paper's
    * scheme, the ghosts. */

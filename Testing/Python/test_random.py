@@ -127,6 +127,17 @@ FOUND = (
         },
         "operations": [("time", 0.75), ("save and load",), ("time", 0.9885261906695527)],
     },
+    # A checkpoint was restored with a bound on values beyond 1000 voxels.
+    {
+        "target": ("skeleton", 786669),
+        "properties": {
+            "ParticleModel": 1,
+            "TargetEvaluation": 1,
+            "CheckpointInterval": 1,
+            "ComputeVelocity": 1,
+        },
+        "operations": [("time", 0.9), ("time", 0.75)],
+    },
 )
 
 PROGRAM = """
