@@ -163,7 +163,11 @@ def _hint(path: Path) -> str:
 
 
 def _check_obj(path: Path) -> None:
-    """Raises OSError unless the corners of cells refer to existing vertices, textures, normals."""
+    """Checks the cells of a .obj.
+
+    Raises OSError if data begin without a vertex, or a cell has no corners, corners of different
+    forms, or a corner that is malformed or refers to a missing vertex, texture or normal.
+    """
     counts = {b"v": 0, b"vt": 0, b"vn": 0}
     faces = []
     for cells in _rows(path):

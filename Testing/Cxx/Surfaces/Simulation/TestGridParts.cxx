@@ -245,9 +245,10 @@ TEST(TestGridParts, PaperCreatesNone)
   EXPECT_EQ(GetNumber(filter, 1, "Components"), 1.0);
 }
 
-// An isolated triangle, a million voxels away and without an inside, costs only itself. A start
-// from all nodes of the box would be refused. The mesh is no longer closed, so another triangle may
-// be found as the nearest one of a node: distances agree to a thousandth of a voxel.
+// An isolated triangle, a million voxels away and without an inside, costs only itself. The
+// automatic bounds span a million voxels, so a start from all of their nodes would be refused. With
+// the triangle the mesh is open. Distances to open meshes are computed in another way, which may
+// choose another nearest triangle for a node: the distances agree to a thousandth of a voxel.
 TEST(TestGridParts, StrayTriangleCostsItself)
 {
   vtkNew<vtkPoints> points;
