@@ -120,7 +120,7 @@ class WeReadTheFilesOfOthers(WithAFolder):
 
 
 class Refusals(WithAFolder):
-    """Images that no .vdb file can hold are refused for their own cause, not for the disk's."""
+    """Data that no .vdb file can hold are refused for their own cause, not for the disk's."""
 
     def refuse(self, image, voxel=-1.0):
         values = vtkFloatArray()

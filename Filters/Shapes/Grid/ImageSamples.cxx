@@ -258,9 +258,8 @@ double ImageSamples::GetSample(const int pixel[3]) const
 
 // Samples the crossings of the surface with lines of pixels along each axis: one of skip^2 lines,
 // at most about 4 million pixels. The area of a crossing is |n_axis| (n: unit normal) times the
-// cross-section of a pixel. The areas of all crossings of all lines along an axis add up to the
-// integral of n_axis^2 over the surface. Over all axes, the sum is the surface's area: n has length
-// 1. If lines or crossings are left out, only ratios of areas are meaningful.
+// cross-section of a pixel: over all lines of all axes, the areas add up to the surface's area, as
+// n has length 1. If lines or crossings are left out, only ratios of areas are meaningful.
 SurfaceSample ImageSamples::SampleSurface() const
 {
   constexpr double mostPixels = 4e6;
