@@ -13,17 +13,6 @@ from command_line import CommandTest, grid
 from shapes import ball_mesh, image_of, output_of
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
-DUMP = """ITEM: TIMESTEP
-0
-ITEM: NUMBER OF ATOMS
-1
-ITEM: BOX BOUNDS pp pp pp
-0 9
-0 9
-0 9
-ITEM: ATOMS id x y z
-1 2 3
-"""
 GRO = "run t= 1e\n    1\n    1ALA     CA    1   0.126   1.624   1.679\n1.82060 1.82060 1.82060\n"
 
 DISTANCE = numpy.linalg.norm(numpy.indices((9, 9, 9)) - 4.0, axis=0) - 2.5
@@ -136,7 +125,6 @@ class Files(CommandTest):
 
     def test_damage_has_its_place(self):
         for name, text, words in (
-            ("a.dump", DUMP, "an atom has 3 column"),
             ("a.json", '{"x": [1, 2], "y": [2], "z": [1]}', "x, y and z differ in shape"),
             ("b.json", '{"positions": [[[1, 2, 3]]], "times": ["a"]}', "times.* not numbers"),
             ("c.json", '{"positions": [[[1, 2, 3]]], "fps": "a"}', "is a, not a finite number"),

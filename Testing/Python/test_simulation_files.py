@@ -131,6 +131,7 @@ class Dumps(ReaderTest):
             ("it is binary; write it as text", b"\0\1" + bytes(90)),
             ("a frame is incomplete or damaged", whole.replace("ITEM: BOX", "ITEM: BIX")),
             ("its BOX BOUNDS are not 3 rows", dump([[1, 1, 0, 0, 0]], box="0 1")),
+            (r"an atom has 4 column\(s\), but its frame names 5", dump(["1123"])),
             ('the row "2 1 a 0 0" for an atom', dump([[1, 1, 0, 0, 0], "21a00"])),
             ('the row "2 1 0 0" for an atom', dump([[1, 1, 0, 0, 0], "2100"])),
             ("of numbers, but id, type, a", whole.replace("x y z", "a b c")),
