@@ -135,8 +135,9 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
         this->Place(given, k);
       }
     });
-  this->MostReachOfMotion = FindMost(count, 0.0,
-    [this](std::size_t k) { return ReachOfMotion * static_cast<double>(this->OwnRadius[k]); });
+  this->Blocks.FindReaches([this](std::uint32_t k)
+    { return ReachOfMotion * static_cast<double>(this->OwnRadius[k]); },
+    this->ReachesOfMotion);
   this->FindFits();
 }
 
@@ -216,20 +217,19 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
 }
 
 // Lists the particles whose supports may touch a cube of nodes. size: side of the cube [voxels].
-// reach: bound on the distance, along each axis, from a particle to the ends of its support
-// [voxels]. before: number of column rows before each particle; null: each particle has a row.
-const ParticleRuns& ParticleNodes::ListNear(
-  const NodeIndex& origin, double size, double reach, const std::uint32_t* before) const
+// before: number of column rows before each particle; null: each particle has a row.
+const ParticleRuns& ParticleNodes::ListNear(const NodeIndex& origin, double size,
+  const ParticleBlocks::Reaches& reaches, const std::uint32_t* before) const
 {
   thread_local ParticleRuns runs;
   double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    low[axis] = origin[axis] - reach;
-    high[axis] = origin[axis] + size + reach;
+    low[axis] = origin[axis];
+    high[axis] = origin[axis] + size;
   }
   runs.clear();
-  this->Blocks.VisitRuns(low, high,
+  this->Blocks.VisitRuns(low, high, reaches,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
       ParticleRun run{ before ? before[first] : first, before ? before[end] : end, {} };
@@ -246,8 +246,8 @@ void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
   constexpr double size = 7.0;
   FindPotential(this->Fits.GetColumns(), this->Fits.GetEllipsoids(),
-    this->ListNear(leaf.Origin, size, this->Fits.GetLongestReach(), this->Fits.GetRows()),
-    leaf.Rows, values);
+    this->ListNear(leaf.Origin, size, this->Fits.GetReaches(), this->Fits.GetRows()), leaf.Rows,
+    values);
 }
 
 void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
@@ -258,7 +258,7 @@ void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
   const MotionColumns columns = { { this->X.data(), this->Y.data(), this->Z.data() },
     { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),
     hasBulks ? this->Fits.GetBulks() : nullptr, this->InverseReach2.data() };
-  FindMotionMeans(columns, this->ListNear(leaf.Origin, size, this->MostReachOfMotion),
+  FindMotionMeans(columns, this->ListNear(leaf.Origin, size, this->ReachesOfMotion),
     this->Options.HasNoise, motion);
 }
 

@@ -99,8 +99,8 @@ private:
   void CheckNumberOfLeaves(bool wantsInside) const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
   ShellLeaf FindRows(const NodeIndex& origin) const;
-  const ParticleRuns& ListNear(const NodeIndex& origin, double size, double reach,
-    const std::uint32_t* before = nullptr) const;
+  const ParticleRuns& ListNear(const NodeIndex& origin, double size,
+    const ParticleBlocks::Reaches& reaches, const std::uint32_t* before = nullptr) const;
 
   NodeParticleOptions Options;
   ParticleBlocks Blocks;
@@ -113,7 +113,7 @@ private:
   UnsetVector<float> OwnRadius, Reach, Strength;
   UnsetVector<float> InverseReach2; // for the means of motion
   NodeFits Fits;
-  double MostReachOfMotion = 0.0; // [voxels]
+  ParticleBlocks::Reaches ReachesOfMotion;
 };
 
 }

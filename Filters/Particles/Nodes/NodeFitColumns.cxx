@@ -26,8 +26,8 @@ void NodeFits::Resize(std::size_t count)
       this->InverseWide2[k] = isNeighbour ? 1.f / (wide * wide) : 0.f;
       this->Bulk[k] = 1.f;
     });
-  this->WidestReach =
-    std::sqrt(FindMost(count, 0.f, [this](std::size_t k) { return this->Wide2[k]; }));
+  this->Blocks->FindReaches(
+    [this](std::uint32_t k) { return std::sqrt(this->Wide2[k]); }, this->WideReaches);
   const std::size_t near = this->Row.Size();
   for (UnsetVector<float>* numbers : { &this->EX, &this->EY, &this->EZ, &this->EReach2, &this->Deep,
          &this->Thin, &this->Shape, &this->Lone, &this->Share, &this->Lack })

@@ -46,7 +46,7 @@ void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
   {
     return;
   }
-  this->FindLongestReach();
+  this->FindReaches();
   this->ForEachGroup([this](std::uint32_t k, bool isNearSurface)
     { return isNearSurface && this->Ghosts->IsOwn(k) && this->IsAtSurface(k); },
     [this](Search& search) { this->FindLacks(search); });
@@ -139,11 +139,10 @@ void NodeFits::FillGroup(Search& search) const
 }
 
 // Finds the particles whose balls touch the group's box. columns.Reach2: squared radii of the
-// balls. reach: bound on the distance, along each axis, from a particle to the ends of its ball
-// [voxels]. rowOf: the row of a particle, or the next row if the particle has none.
+// balls. rowOf: the row of a particle, or the next row if the particle has none.
 template <class RowOf>
-void NodeFits::Gather(
-  Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const
+void NodeFits::Gather(Search& search, const PlaceColumns& columns,
+  const ParticleBlocks::Reaches& reaches, RowOf&& rowOf) const
 {
   FitGroup& group = search.Group;
   group.FindBox();
@@ -153,11 +152,11 @@ void NodeFits::Gather(
   for (int axis = 0; axis < 3; ++axis)
   {
     const double middle = size * base[axis] + group.Middle[axis];
-    low[axis] = middle - group.Half[axis] - reach;
-    high[axis] = middle + group.Half[axis] + reach;
+    low[axis] = middle - group.Half[axis];
+    high[axis] = middle + group.Half[axis];
   }
   search.Runs.clear();
-  this->Blocks->VisitRuns(low, high,
+  this->Blocks->VisitRuns(low, high, reaches,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
       ParticleRun run{ rowOf(first), rowOf(end), {} };
@@ -173,7 +172,7 @@ void NodeFits::Gather(
 void NodeFits::GatherNeighbours(Search& search) const
 {
   this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
-    this->WidestReach, [](std::uint32_t k) { return k; });
+    this->WideReaches, [](std::uint32_t k) { return k; });
 }
 
 void NodeFits::FindShapes(Search& search)
@@ -223,21 +222,21 @@ void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
   ellipsoid.Strength = this->Given.Strength[k]; // normalized in FindStrengths
 }
 
-void NodeFits::FindLongestReach()
+void NodeFits::FindReaches()
 {
-  std::vector<double> longest(this->Blocks->Size(), 0.0);
-  this->Row.ForEach(*this->Blocks,
-    [&](std::size_t block, std::uint32_t k, std::uint32_t i)
+  this->Blocks->FindReaches(
+    [this](std::uint32_t k)
     {
-      if (this->EReach2[i] > 0.f)
+      const std::uint32_t i = this->Row[k];
+      if (!this->HasRow(k) || !(this->EReach2[i] > 0.f))
       {
-        const float far = std::max({ std::fabs(this->EX[i] - this->Given.X[k]),
-          std::fabs(this->EY[i] - this->Given.Y[k]), std::fabs(this->EZ[i] - this->Given.Z[k]) });
-        longest[block] =
-          std::max(longest[block], std::sqrt(static_cast<double>(this->EReach2[i])) + far);
+        return 0.0;
       }
-    });
-  this->LongestReach = longest.empty() ? 0.0 : *std::max_element(longest.begin(), longest.end());
+      const float far = std::max({ std::fabs(this->EX[i] - this->Given.X[k]),
+        std::fabs(this->EY[i] - this->Given.Y[k]), std::fabs(this->EZ[i] - this->Given.Z[k]) });
+      return std::sqrt(static_cast<double>(this->EReach2[i])) + far;
+    },
+    this->Reaches);
 }
 
 // Sets the group's points to the expected surface points Away (place 0) or Across (place 3), see
@@ -295,7 +294,7 @@ void NodeFits::SumBeside(
 void NodeFits::GatherEllipsoids(Search& search) const
 {
   const EllipsoidColumns columns = this->GetColumns();
-  this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
+  this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->Reaches,
     [this](std::uint32_t k) { return this->Row[k]; });
 }
 
@@ -370,7 +369,7 @@ void NodeFits::FindStrengths(Search& search)
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,
     { surface.X.data(), surface.Y.data(), surface.Z.data(), surface.Wide2.data() },
-    this->WidestReach, [this](std::uint32_t k) { return this->SurfaceBefore[this->Row[k]]; });
+    this->WideReaches, [this](std::uint32_t k) { return this->SurfaceBefore[this->Row[k]]; });
   alignas(32) float shares[8], lacks[8];
   SumShares(search.Group, search.Neighbours,
     { surface.InverseWide2.data(), surface.Share.data(), surface.Lack.data() }, shares, lacks);

@@ -138,8 +138,8 @@ public:
     return { this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() };
   }
   const NodeEllipsoid* GetEllipsoids() const { return this->Ellipsoids.data(); }
-  // Bound on the distance, along each axis, from a particle to the ends of its ellipsoid [voxels].
-  double GetLongestReach() const { return this->LongestReach; }
+  // Reaches of the ellipsoids.
+  const ParticleBlocks::Reaches& GetReaches() const { return this->Reaches; }
 
   // Evaluates the sum of the ellipsoids, and its gradient, at the positions of a group, relative to
   // the block `home`. Thread-safe.
@@ -162,7 +162,8 @@ private:
   void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
   void FillGroup(Search& search) const;
   template <class RowOf>
-  void Gather(Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const;
+  void Gather(Search& search, const PlaceColumns& columns, const ParticleBlocks::Reaches& reaches,
+    RowOf&& rowOf) const;
   void GatherNeighbours(Search& search) const;
   void GatherEllipsoids(Search& search) const;
   void FindShapes(Search& search);
@@ -174,7 +175,7 @@ private:
   float FindFaded(std::uint32_t k, std::size_t place) const;
   void ListSurface();
   void FindStrengths(Search& search);
-  void FindLongestReach();
+  void FindReaches();
   bool HasRow(std::uint32_t k) const { return this->Row[k + 1] > this->Row[k]; }
   void ShareShapes();
   void ShareLacks();
@@ -189,8 +190,8 @@ private:
   const GhostParticles* Ghosts = nullptr;
   FitColumns Given{};
   NodeFitOptions Options;
-  double WidestReach = 0.0;
-  double LongestReach = 0.0;
+  ParticleBlocks::Reaches WideReaches; // of the neighbourhoods
+  ParticleBlocks::Reaches Reaches;
 
   UnsetVector<float> Wide2, InverseWide2; // squared radii of the neighbourhoods
   UnsetVector<float> Bulk;

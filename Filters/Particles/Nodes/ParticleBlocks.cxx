@@ -32,6 +32,7 @@ void ParticleBlocks::Build(const ParticleCubes& cubes, const Options& options)
   this->ChooseCells(cubes);
   this->AddBlocks(cubes);
   this->Sort();
+  this->ListFilled();
   this->FillCells(cubes);
   if (options.HasInside)
   {
@@ -205,6 +206,20 @@ void ParticleBlocks::Sort()
     block.Starts[0] = first;
     first = block.Starts[Parts];
   }
+}
+
+void ParticleBlocks::ListFilled()
+{
+  this->Filled.clear();
+  for (std::uint32_t i = 0; i < this->Blocks.size(); ++i)
+  {
+    if (HasParticles(this->Blocks[i]))
+    {
+      this->Filled.push_back(i);
+    }
+  }
+  std::sort(this->Filled.begin(), this->Filled.end(),
+    [this](std::uint32_t a, std::uint32_t b) { return this->Blocks[a].At < this->Blocks[b].At; });
 }
 
 }

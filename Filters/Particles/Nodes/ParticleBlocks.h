@@ -10,6 +10,7 @@
 #define ParticleBlocks_h
 
 #include "Base/IndexMap.h"
+#include "Index/ParallelTasks.h"
 #include "Index/UnsetVector.h"
 
 #include <algorithm>
@@ -130,6 +131,14 @@ public:
     CellMask Near;  // kernels from here may touch cells that are not full
   };
 
+  // Bounds on the distance, along each axis, from a block's particles to the ends of their supports
+  // [voxels].
+  struct Reaches
+  {
+    std::vector<double> OfBlock;
+    double Longest = 0.0;
+  };
+
   struct Options
   {
     double VoxelSize = 1.0;
@@ -189,51 +198,128 @@ public:
     return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
   }
 
-  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]. block: At
-  // of the run's block.
-  template <class Visit>
-  void VisitRuns(const double (&low)[3], const double (&high)[3], Visit&& visit) const
+  // reachOf(k): bound of a particle, in the order of GetOrder. Reuses allocated memory.
+  template <class ReachOf>
+  void FindReaches(ReachOf&& reachOf, Reaches& reaches) const
   {
-    int first[3], last[3]; // parts
+    constexpr std::size_t blocksPerTask = 16;
+    reaches.OfBlock.resize(this->Blocks.size());
+    RunPieces(this->Blocks.size(), blocksPerTask,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          double longest = 0.0;
+          for (std::uint32_t k = this->Blocks[i].Starts[0]; k < this->Blocks[i].Starts[Parts]; ++k)
+          {
+            longest = std::max(longest, static_cast<double>(reachOf(k)));
+          }
+          reaches.OfBlock[i] = longest;
+        }
+      });
+    reaches.Longest = 0.0;
+    for (const double reach : reaches.OfBlock)
+    {
+      reaches.Longest = std::max(reaches.Longest, reach);
+    }
+  }
+
+  // Calls visit(first, end, block) for runs of particles whose supports may touch a box [voxels].
+  // block: At of the run's block.
+  template <class Visit>
+  void VisitRuns(
+    const double (&low)[3], const double (&high)[3], const Reaches& reaches, Visit&& visit) const
+  {
+    const PartRange longest = this->FindParts(low, high, reaches.Longest);
+    this->VisitFilled(longest,
+      [&](std::size_t i)
+      {
+        // A range of its own costs more than it saves unless the reach is much shorter.
+        const bool isShort = 2.0 * reaches.OfBlock[i] < reaches.Longest;
+        const double rounding = 1e-3 * this->CellSize;
+        VisitRunsOf(this->Blocks[i],
+          isShort ? this->FindParts(low, high, reaches.OfBlock[i] + rounding) : longest, visit);
+      });
+  }
+
+private:
+  struct PartRange
+  {
+    int First[3], Last[3];
+  };
+  // Returns the parts of a box enlarged by `reach` [voxels].
+  PartRange FindParts(const double (&low)[3], const double (&high)[3], double reach) const
+  {
+    PartRange range;
     for (int axis = 0; axis < 3; ++axis)
     {
-      first[axis] = this->CellOf(low[axis]) >> 1;
-      last[axis] = this->CellOf(high[axis]) >> 1;
+      range.First[axis] = this->CellOf(low[axis] - reach) >> 1;
+      range.Last[axis] = this->CellOf(high[axis] + reach) >> 1;
+    }
+    return range;
+  }
+
+  // Calls visit(index) for the blocks with particles in a range, in the order of x, y, z.
+  template <class Visit>
+  void VisitFilled(const PartRange& range, Visit&& visit) const
+  {
+    NodeIndex low, high;
+    double count = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = range.First[axis] >> 2;
+      high[axis] = range.Last[axis] >> 2;
+      count *= 1.0 + high[axis] - low[axis];
+    }
+    if (count > static_cast<double>(this->Filled.size()))
+    {
+      for (const std::uint32_t i : this->Filled)
+      {
+        if (IsBetween(this->Blocks[i].At, low, high))
+        {
+          visit(i);
+        }
+      }
+      return;
     }
     NodeIndex at;
-    for (at[0] = first[0] >> 2; at[0] <= last[0] >> 2; ++at[0])
+    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
     {
-      for (at[1] = first[1] >> 2; at[1] <= last[1] >> 2; ++at[1])
+      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
       {
-        for (at[2] = first[2] >> 2; at[2] <= last[2] >> 2; ++at[2])
+        for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
         {
-          const Block* block = this->Find(at);
-          if (block && block->Starts[0] != block->Starts[Parts])
+          const std::int32_t i = this->Numbers.Find(at);
+          if (i >= 0 && HasParticles(this->Blocks[i]))
           {
-            VisitRunsOf(*block, first, last, visit);
+            visit(static_cast<std::size_t>(i));
           }
         }
       }
     }
   }
+  static bool HasParticles(const Block& block) { return block.Starts[0] != block.Starts[Parts]; }
+  static bool IsBetween(const NodeIndex& at, const NodeIndex& low, const NodeIndex& high)
+  {
+    return at[0] >= low[0] && at[0] <= high[0] && at[1] >= low[1] && at[1] <= high[1] &&
+      at[2] >= low[2] && at[2] <= high[2];
+  }
 
-private:
   template <class Visit>
-  static void VisitRunsOf(
-    const Block& block, const int (&first)[3], const int (&last)[3], Visit&& visit)
+  static void VisitRunsOf(const Block& block, const PartRange& range, Visit&& visit)
   {
     int low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      low[axis] = std::max(first[axis] - PartsOfSide * block.At[axis], 0);
-      high[axis] = std::min(last[axis] - PartsOfSide * block.At[axis], PartsOfSide - 1);
+      low[axis] = std::max(range.First[axis] - PartsOfSide * block.At[axis], 0);
+      high[axis] = std::min(range.Last[axis] - PartsOfSide * block.At[axis], PartsOfSide - 1);
     }
     for (int x = low[0]; x <= high[0]; ++x)
     {
       for (int y = low[1]; y <= high[1]; ++y)
       {
         const std::uint32_t* starts = block.Starts + PartsOfSide * (PartsOfSide * x + y);
-        if (starts[low[2]] != starts[high[2] + 1])
+        if (low[2] <= high[2] && starts[low[2]] != starts[high[2] + 1])
         {
           visit(starts[low[2]], starts[high[2] + 1], block.At);
         }
@@ -254,6 +340,7 @@ private:
   void AddAround(const CubePlace& place, std::size_t own);
   void AddBlocks(const ParticleCubes& cubes);
   void Sort();
+  void ListFilled();
   void FillCells(const ParticleCubes& cubes);
   void FillCube(const ParticleCube& cube, std::size_t own);
   void OccupyCells(const ParticleCubes& cubes);
@@ -281,6 +368,7 @@ private:
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;
+  std::vector<std::uint32_t> Filled; // blocks with particles, in the order of x, y, z
   std::vector<std::uint32_t> Around; // per block, a bit for each of the 27 around: known to exist
   UnsetVector<CubePlace> Places;     // of one batch of particles
   UnsetVector<std::uint32_t> OwnBlocks;
