@@ -5,6 +5,7 @@
 #include "Common/FileSeries.h"
 #include "EXR/EXRWriting.h"
 
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -139,7 +140,11 @@ void vtkActiveEXRWriter::Write()
   {
     chosen.Asked = false;
     this->Modified(); // forces writing although nothing has changed
-    this->UpdateWholeExtent();
+    // UpdateWholeExtent goes on with the last output of an input that fails here.
+    if (this->GetExecutive()->UpdateInformation())
+    {
+      this->UpdateWholeExtent();
+    }
     if (!chosen.Asked)
     {
       this->Fail(vtkErrorCode::UnknownError,

@@ -1,6 +1,7 @@
 // Information that vtkActiveEXRReader provides to the pipeline, and requests of vtkActiveEXRWriter.
 
 #include "IO/EXRFiles.h"
+#include "Support/MessageCapture.h"
 #include "Support/OutputFiles.h"
 
 #include "vtkActiveEXRReader.h"
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkImageAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -39,13 +41,15 @@ public:
   static Part* New();
   vtkTypeMacro(Part, vtkImageAlgorithm);
 
+  bool Fails = false;
+
 protected:
   Part() { this->SetNumberOfInputPorts(0); }
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     outputs->GetInformationObject(0)->Set(Pipeline::WHOLE_EXTENT(), Whole, 6);
-    return 1;
+    return this->Fails ? 0 : 1;
   }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
@@ -100,6 +104,25 @@ TEST(TestEXRPipeline, TheWholeImageIsWritten)
   };
   EXPECT_EQ(countWritten([&] { writer->Write(); }), 35) << "pixels written";
   EXPECT_EQ(countWritten([&] { writer->Update(); }), 35) << "pixels written by an update";
+}
+
+TEST(TestEXRPipeline, AnInputThatFailsIsNotWritten)
+{
+  const std::string name = OutputName("failed.exr");
+  vtkNew<Part> source;
+  vtkNew<vtkActiveEXRWriter> writer;
+  const MessageCapture errors(writer), ofSource(source);
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  for (const bool fails : { true, false, true })
+  {
+    std::filesystem::remove(name);
+    source->Fails = fails;
+    source->Modified();
+    writer->Write();
+    EXPECT_EQ(std::filesystem::exists(name), !fails);
+    EXPECT_EQ(writer->GetErrorCode() != vtkErrorCode::NoError, fails);
+  }
 }
 
 }
