@@ -140,7 +140,7 @@ void vtkActiveEXRWriter::Write()
   {
     chosen.Asked = false;
     this->Modified(); // forces writing although nothing has changed
-    // UpdateWholeExtent goes on with the last output of an input that fails here.
+    // UpdateWholeExtent continues with the last output of an input that fails here.
     if (this->GetExecutive()->UpdateInformation())
     {
       this->UpdateWholeExtent();
