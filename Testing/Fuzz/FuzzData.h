@@ -69,10 +69,11 @@ inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData
     for (int component = 0; component < array->GetNumberOfComponents(); ++component)
     {
       const double number = input.TakeNumber();
-      // Integer arrays get integers: other values may not be representable.
+      // Integer arrays get integers: other values may not be representable. As radii these are
+      // small, because a radius of 100 alone makes a leaf search of a hundred milliseconds.
       const bool isFloating =
         array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-      array->SetComponent(i, component, isFloating ? number : input.Below(100));
+      array->SetComponent(i, component, isFloating ? number : input.Below(8));
     }
   }
   data->GetPointData()->AddArray(array);
