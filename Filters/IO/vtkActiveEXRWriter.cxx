@@ -237,8 +237,8 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
     throw FileError(vtkErrorCode::UserError,
       "the input has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
         " x " + std::to_string(dimensions[2]) +
-        " points, but only a slice of one point along z can be written; extract it by "
-        "vtkExtractVOI, or turn another slice by vtkImagePermute.");
+        " points, but only a slice of one point along z can be written; extract such a slice by "
+        "vtkExtractVOI, or turn a slice of one point along x or y by vtkImagePermute.");
   }
   const int width = displaySize[0], height = displaySize[1];
   const bool none = width == 0 && height == 0;

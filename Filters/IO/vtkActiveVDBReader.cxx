@@ -250,8 +250,8 @@ int vtkActiveVDBReader::RequestData(
   catch (const std::bad_alloc&)
   {
     return this->Fail(output,
-      "There is not enough memory for the grid; for a volume, choose a smaller Region, raise "
-      "DownsamplingFactor, or turn OutputDense off.");
+      "There is not enough memory for the grid; for a volume, choose a smaller part by Region, "
+      "raise DownsamplingFactor, or turn OutputDense off.");
   }
   catch (const std::exception& error)
   {

@@ -89,7 +89,7 @@ EXROutput::EXROutput(const std::string& name)
   {
     throw FileError(vtkErrorCode::CannotOpenFileError,
       std::string("the file cannot be created: ") + std::strerror(errno) +
-        "; check that its folder exists and may be written to");
+        "; check its name, and that its folder exists and may be written to");
   }
 }
 

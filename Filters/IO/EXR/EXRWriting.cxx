@@ -121,8 +121,8 @@ void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& 
   if (Compressions[settings.Compression] == Imf::DWAA_COMPRESSION && data != sources.end())
   {
     throw FileError(vtkErrorCode::UserError,
-      "Compression DWAA is lossy and only for colors, but channel " + data->Channel +
-        " holds data; choose ZIP or PIZ.");
+      "Compression DWAA is lossy and only for colors of type HALF or FLOAT, but channel " +
+        data->Channel + " is no such color; choose ZIP or PIZ.");
   }
 }
 
@@ -376,8 +376,8 @@ std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choic
   if (twice != sources.end())
   {
     Refuse("Two components would be written as channel " + twice->Channel +
-      "; rename an array, or name the channels: ClearChannels, then AddChannel for each "
-      "component of the array.");
+      "; rename an array, or name its channels: ClearChannels, then AddChannel for each "
+      "component.");
   }
   return sources;
 }

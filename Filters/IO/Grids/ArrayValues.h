@@ -65,8 +65,9 @@ void DispatchValues(vtkDataArray* array, Function&& function)
   {
     throw std::invalid_argument(std::string("The point array \"") +
       (array->GetName() ? array->GetName() : "") + "\" has " + std::to_string(components) +
-      " components, but a grid has one or three. Remove or split the array, or turn "
-      "WritePointArrays off (the scalars of an image are always written).");
+      " components, but a grid has one or three. Remove or split the array or, unless the array is "
+      "the scalars of an image, turn WritePointArrays off (in active-surface skin, leave out "
+      "--pass-target-arrays).");
   }
   const bool isWide = array->GetDataTypeSize() > 4 || type == VTK_UNSIGNED_INT;
   if (type == VTK_FLOAT)

@@ -52,8 +52,8 @@ void CheckSize(const ImagePlace& place, const ImageRequest& request)
     constexpr int digits = 15;
     text << std::setprecision(digits) << "The dense image would have " << place.CountPoints()
          << " points, more than MaximumNumberOfPoints (" << request.MaximumNumberOfPoints
-         << "); choose a smaller Region, raise DownsamplingFactor or MaximumNumberOfPoints, or "
-         << "turn OutputDense off.";
+         << "); choose a smaller part by Region, raise DownsamplingFactor or "
+         << "MaximumNumberOfPoints, or turn OutputDense off.";
     throw std::runtime_error(text.str());
   }
 }

@@ -201,7 +201,7 @@ void AddAttributes(const Leaves& leaves, std::int64_t count, vtkPointData* data)
     if (!maker)
     {
       throw std::runtime_error("The points' attribute \"" + name + "\" has the type " + type.first +
-        ", which no VTK array can store; write the file without this attribute.");
+        ", which is not supported; write the file without this attribute.");
     }
     const auto array = maker(leaves, position, count);
     array->SetName(name.c_str());

@@ -32,7 +32,8 @@ void CheckIsClosed(const MeshTriangles& mesh)
 {
   if (mesh.Defects.BrokenPolygons > 0)
   {
-    throw std::invalid_argument(mesh.Defects.Describe() + " Fix the mesh before writing it.");
+    throw std::invalid_argument(
+      mesh.Defects.Describe() + " A mesh with such polygons is not written; fix the mesh.");
   }
   if (mesh.Triangles.empty())
   {
@@ -147,8 +148,9 @@ void Content::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState
   auto image = vtkImageData::SafeDownCast(data);
   if (this->Choice.State && !attached)
   {
-    throw std::invalid_argument("The input carries no state for WriteState; connect an output of "
-                                "a vtkActiveImplicitSurface, without filters in between.");
+    throw std::invalid_argument(
+      "The input carries no state for WriteState; connect an output of a vtkActiveImplicitSurface, "
+      "without filters in between, and update this output again if its last update was stopped.");
   }
   if (attached)
   {
@@ -183,7 +185,7 @@ void Content::Add(const openvdb::GridBase::Ptr& grid)
   {
     throw std::invalid_argument("The file would have two grids \"" + name +
       "\"; give the point arrays different names, none of them \"" + name +
-      "\", or switch off WritePointArrays.");
+      "\", or turn WritePointArrays off (in active-surface skin, leave out --pass-target-arrays).");
   }
   grid->setSaveFloatAsHalf(this->Choice.HalfFloat);
   this->Grids.push_back(grid);
@@ -249,8 +251,8 @@ void Content::AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointD
     if (!velocity || velocity->GetNumberOfComponents() != 3)
     {
       throw std::invalid_argument(
-        "WriteVelocity needs a skin with the point array \"Velocity\" of three components: switch "
-        "on the filter's ComputeVelocity, and connect its output port 0.");
+        "WriteVelocity needs a skin or mesh with the point array \"Velocity\" of three components: "
+        "for a skin, turn on the filter's ComputeVelocity, and connect its output port 0.");
     }
     const openvdb::GridBase::Ptr grid = MakeArrayGrid(velocity, mesh, band);
     grid->setName("v");

@@ -42,7 +42,7 @@ void CheckCanBeMade(const std::string& file, const std::string& temporary)
   {
     throw FileError(vtkErrorCode::CannotOpenFileError,
       "The file " + file + " cannot be written: " + std::strerror(errno) +
-        "; check that its folder exists and may be written to.");
+        "; check the file's name, and that its folder exists and may be written to.");
   }
 }
 
