@@ -65,7 +65,8 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << "For a closer skin, reduce VoxelSize"
        << (outside.Parameters.Tension > 0.0 ? " or lower Tension" : "")
        << (outside.Parameters.CreateParts ? "" : "; turn CreateParts on and PaperScheme off")
-       << ". After the first time step, raise Attraction or, if the target moves, "
+       << ". For time steps after the first, and for EQUILIBRIUM, also raise Attraction or, if the "
+       << "target moves, "
        << (particles && outside.Parameters.Transport < 1.0
               ? "use Transport 1 without explicit substeps, or "
               : "")

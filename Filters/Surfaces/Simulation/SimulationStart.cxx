@@ -14,11 +14,11 @@ namespace
 
 constexpr const char* NothingToStartOn =
   "The target is empty at the first time step, so there is no skin, now or later. For a skin that "
-  "begins with the first particles, turn CreateParts on; if the target is not particles, set "
-  "ModelBounds, too. Or set an initial shape.";
+  "begins with the target, turn CreateParts on and, unless the target is particles, set "
+  "ModelBounds. Or set an initial shape.";
 constexpr const char* NothingYet =
-  "The target is empty at the first time step, so there is no skin and no voxel size. Both follow "
-  "from the first particles. For another target, set ModelBounds or an initial shape.";
+  "The target is empty at the first time step, so there is no skin. The skin will follow from the "
+  "first particles; for another target, set ModelBounds or an initial shape.";
 
 }
 

@@ -62,7 +62,8 @@ void WriteState(const std::string& file, const SavedState& state)
   catch (const std::exception& error)
   {
     throw std::runtime_error("The state cannot be written to " + file + ": " + ReasonOf(error) +
-      "; check that the folder exists and is writable, and that the disk is not full.");
+      ". Check the file's name, that its folder exists and may be written to, and that the disk is "
+      "not full.");
   }
 }
 
@@ -85,7 +86,7 @@ SavedState ReadState(const std::string& file)
   {
     throw std::runtime_error("No state of a surface can be loaded from " + file + ": " +
       ReasonOf(error) +
-      "; load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
+      ". Load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }
 

@@ -180,9 +180,8 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
   {
     throw std::invalid_argument(
       "The target, and the initial shape if there is one, is a single point: an image has one "
-      "pixel or too small a Spacing, corners of a mesh coincide, or points so far from the origin "
-      "are equal in double precision. Correct or move the input, or set ModelBounds and "
-      "VoxelSize.");
+      "pixel or too small a Spacing, corners of a mesh coincide, or points are so far from the "
+      "origin that they are equal in double precision. Correct or move the input.");
   }
   double bounds[6];
   shapes.GetBounds(bounds);

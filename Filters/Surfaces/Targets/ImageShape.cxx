@@ -164,7 +164,7 @@ std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
   text << "Its values are from " << counts.Low << " to " << counts.High << ", and inside is "
        << (level.Invert ? "above " : "below ") << level.IsoValue
        << ", so nothing is inside; set TargetIsoValue, and turn InvertTarget on if inside is above "
-       << "it. If the values are labels, choose one label by vtkImageThreshold.";
+       << "it, else off. If the values are labels, choose one label by vtkImageThreshold.";
   return text.str();
 }
 

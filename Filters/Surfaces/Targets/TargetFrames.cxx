@@ -55,7 +55,8 @@ std::string TargetFrames::DescribeMatches() const
   return this->Matches && this->Matches->AreShuffled
     ? "The particles have no ids, and their order seems to differ between time steps, so the "
       "filter does not match particles: they fade out and in, and the skin does not move with "
-      "them. Choose an array of ids by SetInputArrayToProcess(1, ...)."
+      "them. Choose an array of ids by SetInputArrayToProcess(1, ...), in active-surface skin by "
+      "--ids."
     : "";
 }
 
