@@ -20,7 +20,8 @@ constexpr char CoveredStart[] =
 constexpr char StartWithoutSurface[] =
   "The initial shape (by default the target) has no surface within the bounds, or none that the "
   "voxels can resolve, so there is no skin; check VoxelSize and ModelBounds and, unless the shape "
-  "is InitialFunction, TargetIsoValue, InvertTarget and ParticleThreshold.";
+  "is InitialFunction or a mesh at input port 1, TargetIsoValue, InvertTarget and "
+  "ParticleThreshold.";
 constexpr char StartWithoutNumbers[] =
   "The initial shape (by default the target) is not a finite number at any sampled point within "
   "the bounds, so there is no skin; check its values.";
