@@ -133,13 +133,13 @@ class _Grid:
     def __init__(self, centers: Any, radii: Any, voxel: float, probe: float) -> None:
         self.centers, self.radii = centers, radii + probe
         self.voxel, self.band, self.probe = voxel, BAND * voxel, probe
-        margin = radii[:, None] + (BAND + 1) * voxel
-        self.low = numpy.floor((centers - margin).min(axis=0) / voxel).astype(numpy.int64)
-        high = numpy.ceil((centers + margin).max(axis=0) / voxel).astype(numpy.int64)
-        self.shape = high - self.low + 1
-        count = int(numpy.prod(self.shape.astype(float)))
+        self.low, self.shape = _lattice_around(centers, radii, voxel)
+        count = least_count = int(numpy.prod(self.shape.astype(float)))
         if count > MOST_POINTS:
-            least = 1.03 * voxel * (count / MOST_POINTS) ** (1 / 3)  # 3 % more: the text rounds
+            least = voxel
+            while least_count > MOST_POINTS:  # the margin grows with the voxel
+                least *= 1.03 * (least_count / MOST_POINTS) ** (1 / 3)  # 3 % more: the text rounds
+                least_count = numpy.prod(_lattice_around(centers, radii, least)[1].astype(float))
             raise ValueError(
                 f"An image of voxels of {voxel:g} around the atoms has {count} points, more than "
                 f"{MOST_POINTS}; set the voxel size to {least:.3g} or more."
@@ -205,6 +205,14 @@ class _Grid:
         first, end = first.clip(0, self.shape), end.clip(0, self.shape)
         axes = [self.voxel * numpy.arange(*cut) for cut in zip(first + self.low, end + self.low)]
         return tuple(map(slice, first, end)), axes
+
+
+def _lattice_around(centers: Any, radii: Any, voxel: float) -> tuple[Any, Any]:
+    """Returns the lowest node and the shape of the lattice around balls, in voxels."""
+    margin = radii[:, None] + (BAND + 1) * voxel
+    low = numpy.floor((centers - margin).min(axis=0) / voxel).astype(numpy.int64)
+    high = numpy.ceil((centers + margin).max(axis=0) / voxel).astype(numpy.int64)
+    return low, high - low + 1
 
 
 def _points_in(axes: list[Any], chosen: Any) -> tuple[Any, Any]:

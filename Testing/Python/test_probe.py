@@ -235,6 +235,15 @@ class Skins(unittest.TestCase):
         with few, self.assertRaisesRegex(ValueError, "touches too many pairs of atoms"):
             active.skin(centers, radii=radii, probe=50.0)
 
+    def test_the_advised_voxel_size_is_large_enough(self):
+        options = {"radii": [1.0, 1.0], "probe": 1.4}
+        for far in ([1e4, 0, 0], [200, 200, 100]):
+            with mock.patch.object(solvent, "MOST_POINTS", 100_000):
+                with self.assertRaisesRegex(ValueError, "set the voxel size to") as caught:
+                    active.skin([[0, 0, 0], far], voxel_size=0.1, **options)
+                least = float(str(caught.exception).split()[-3])
+                active.skin([[0, 0, 0], far], voxel_size=least, **options)
+
 
 PDB = (
     "ATOM  {0:5d}  {1:<3s} {2} A{3:4d}    {4:8.3f}{5:8.3f}{6:8.3f}  1.00  0.00           {1:.1s}\n"
