@@ -78,7 +78,7 @@ class Errors(CommandTest):
             (*film, "--compute-velocity"): "on skins that are written (-o) or on .exr pictures",
             (*film, "--compute-curvature"): "on skins that are written",
             (*film, "--pass-target-arrays"): "on skins that are written",
-            (*skin, "--velocities", "v"): "on a .usdc or with --compute-velocity",
+            (*skin, "--velocities", "v"): "on a .usdc or .usda or with --compute-velocity",
             (*skin, "--number-of-time-steps", 11): PIPELINE,
             ("skin", "one.npy", "--number-of-time-steps", 5): PIPELINE,
             ("skin", "one.npy", "--start-time", 5): PIPELINE,

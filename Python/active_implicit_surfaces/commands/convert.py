@@ -149,11 +149,11 @@ def make_parser() -> Parser:
         "--level",
         type=float,
         metavar="X",
-        help="value at the surface of an image (default: 0 of distances, 0.5 of fog and fractions, "
-        "the middle of a mask's two values)",
+        help="value at the surface of an image (default: 0.5 of fog and fractions, the middle of a "
+        "mask's two values, else 0)",
     )
     add_choice_options(parser)
-    add_up_option(parser, "estimated; y in a .usdc", "in a .glb or .usdc")
+    add_up_option(parser, "estimated; y in USD", "in a .glb or USD")
     parser.add_argument("--quiet", action="store_true", help="print no progress")
     add_help(parser)
     return parser

@@ -58,7 +58,7 @@ _WHERE = {
     "exr": "on .exr pictures",
     "files": "on skins that are written (-o)",
     "glb": "on a .glb",
-    "usd": "on a .usdc",
+    "usd": "on a .usdc or .usda",
     "image_to_mesh": "from an image to a mesh",
     "mesh": "on meshes, with active-surface morph",
     "mesh_to_vdb": "from a mesh to a .vdb",

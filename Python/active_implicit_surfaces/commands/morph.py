@@ -72,7 +72,7 @@ def make_parser() -> Parser:
         "One shape becomes another at the end of the duration: the surface moves along its\n"
         "normal, splits and merges. Parts of only one of the shapes grow or shrink.\n"
         + wrapped(f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}."),
-        epilog="Every property of the filter is an option, such as --number-of-threads 1;\n"
+        epilog="Properties of the filter are options, such as --number-of-threads 1;\n"
         "list them by --help-properties.",
     )
     parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
@@ -83,7 +83,8 @@ def make_parser() -> Parser:
         type=positive,
         default=1.0,
         metavar="X",
-        help="time of the last skin, which is LAST unless --attraction is given (default: 1)",
+        help="time of the last skin, which is LAST unless properties such as --attraction "
+        "prevent this (default: 1)",
     )
     parser.add_argument(
         "--frames",
@@ -100,7 +101,7 @@ def make_parser() -> Parser:
         default="none",
         help="move LAST to FIRST: centre, or box, which also scales (default: none)",
     )
-    add_choice_options(parser)
+    add_choice_options(parser, "FIRST")
     add_property_options(parser, ("voxel_size", "tension"))
     add_picture_options(parser, "y")
     more = parser.add_argument_group("more")

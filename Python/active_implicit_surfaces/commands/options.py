@@ -42,7 +42,7 @@ class Parser(argparse.ArgumentParser):
         text = message.rstrip(".")
         if text.endswith("expected one argument"):
             text += "; write OPTION=VALUE if the value begins with -"
-        print(f"{self.prog}: {text}; run '{self.prog} --help' for its use.", file=sys.stderr)
+        print(f"{self.prog}: {text}; run '{self.prog} --help' for help.", file=sys.stderr)
         raise SystemExit(2)
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
@@ -159,8 +159,8 @@ def preset_help() -> str:
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
-def add_choice_options(group: Any) -> None:
-    """Adds --where and --label."""
+def add_choice_options(group: Any, searched: str = "the first frame") -> None:
+    """Adds --where and --label; `searched` is where --label all finds labels."""
     group.add_argument(
         "--where",
         action="append",
@@ -168,7 +168,7 @@ def add_choice_options(group: Any) -> None:
         help="select data that meet each COND: Type=1, element=Na,Cl, id!=3, 'T>300'",
     )
     for option, told in (
-        ("--label", "labels to select, or all; each label has its own output"),
+        ("--label", f"select labels, or all of {searched}; one output each"),
         ("--labels", None),
     ):
         text = told or argparse.SUPPRESS
@@ -185,7 +185,7 @@ def add_picture_options(parser: Parser, up: str) -> None:
         help="size of pictures in pixels (default: {}x{})".format(*PICTURE_SIZE),
     )
     pictures.add_argument("--no-ground", action="store_true", help="draw no ground below the skin")
-    add_up_option(pictures, up, "of pictures, .glb, .usdc")
+    add_up_option(pictures, up, "of pictures, .glb, USD")
 
 
 def add_up_option(group: Any, default: str, where: str) -> None:

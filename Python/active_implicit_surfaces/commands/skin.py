@@ -151,7 +151,7 @@ def make_parser() -> Parser:
             f"previous. Files: {' '.join(TARGET_SUFFIXES)}; several files, 'p_*.vtp', p_####.vtp, "
             "a folder, a .series or a .pvd are a series."
         ),
-        epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option, such as "
+        epilog=f"presets:\n{preset_help()}\n\nProperties of the filter are options, such as "
         "--particle-model sum (list: --help-properties).",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
@@ -160,7 +160,7 @@ def make_parser() -> Parser:
         "--preset",
         choices=PRESETS,
         metavar="NAME",
-        help="set of properties for a kind of material (see below)",
+        help="named set of properties (see below)",
     )
     parser.add_argument(
         "--probe",
@@ -195,7 +195,7 @@ def _add_input_options(parser: Parser) -> None:
         metavar="X",
         help="frames per second (default: times in the files, or 25)",
     )
-    add_choice_options(files)
+    add_choice_options(files, "the first, middle and last frame")
     told = "omit clusters of fewer than N particles; or --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
