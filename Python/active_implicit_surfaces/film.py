@@ -32,7 +32,7 @@ def check_film(path: Path) -> None:
     if suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise OSError(
             f"{path} needs the program ffmpeg, which is not on PATH; install it (Debian: ffmpeg), "
-            f"or write {path.with_suffix('.ogv')} or {path.with_suffix('')}.####.png."
+            f"or write {path.with_suffix('')}.####.png."
         )
     if suffix == ".exr":
         importlib.import_module(".render", __package__)  # ImportError if this VTK lacks it

@@ -72,7 +72,7 @@ def warn_of_losses(suffix: str, data: Any) -> None:
         found.append(("lines", "the lines"))
     lost = {name: role for role, name in found if role not in _HELD.get(suffix, _EVERYTHING)}
     if lost:
-        others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
+        others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply")
         better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
         these, them = ("these are", "them") if len(lost) > 1 else ("this is", "it")
         warn(

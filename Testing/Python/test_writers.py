@@ -176,7 +176,7 @@ class Writers(CommandTest):
         numpy.testing.assert_allclose(rows["vn"], self.normals(), atol=1e-6)
         self.assertEqual(rows["f"][0], [f"{i + 1}//{i + 1}" for i in polygons_of(self.ball)[0][0]])
         self.assertEqual(len(notes), 1)
-        for word in ("temperature", "Velocity", ".obj file cannot hold", ".vtp or .ply or .glb"):
+        for word in ("temperature", "Velocity", ".obj file cannot hold", ".vtp or .ply to"):
             self.assertIn(word, notes[0])
         self.assertNotIn("Colors", notes[0])
 
@@ -198,7 +198,7 @@ class Writers(CommandTest):
         for suffix, mesh, what, better in (
             (".ply", words, "cannot hold element,", "write .vtp to"),
             (".glb", words, "cannot hold element,", "write .vtp to"),
-            (".stl", self.coloured_ball(), "temperature, mean stress", ".vtp or .ply or .glb"),
+            (".stl", self.coloured_ball(), "temperature, mean stress", ".vtp or .ply to"),
             (".stl", cells, "cannot hold part (of cells),", "write .vtp to"),
             (".glb", cells, "cannot hold part (of cells),", "write .vtp to"),
             (".ply", tubes, "cannot hold the lines,", "write .vtp to"),
