@@ -30,8 +30,8 @@ try:
 except ImportError as error:
     raise ImportError(
         "active_implicit_surfaces needs VTK's Python modules, vtkmodules, for this Python; install "
-        "them (the package cvista: pip install pyvista[cvista]; Debian's VTK: python3-vtk9, then "
-        f"run /usr/bin/python3). The cause was: {error}"
+        "them (the package cvista: pip install pyvista[cvista]; PyPI's VTK: pip install vtk; "
+        f"Debian's VTK: python3-vtk9, then run /usr/bin/python3). The cause was: {error}"
     ) from error
 
 vtk_build.check()

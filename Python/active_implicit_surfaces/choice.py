@@ -120,7 +120,8 @@ def choose(
             return data
         if not data.IsA("vtkPointSet"):
             raise ValueError(
-                "Conditions select particles or polygons, not voxels; for an image, choose a label."
+                "Conditions select particles or polygons, not voxels; leave them out, or choose a "
+                "label of the image by active-surface --label."
             )
         values, is_of_cells = _values_of(data, condition.name)
         chosen = _meets(values, condition, note)

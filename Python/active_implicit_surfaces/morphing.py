@@ -126,10 +126,10 @@ class morph(Skins):
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
-                f"There is no skin at the time {self.times[step]:g}. Either the shapes do not "
-                "overlap (without create_parts), parts are thinner than two voxels, tension is too "
-                "large, or nothing is inside a shape. Give fit, reduce voxel_size or tension, or "
-                "set target_iso_value."
+                f"There is no skin at the time {self.times[step]:g}. If create_parts is off and "
+                "the shapes do not overlap, give fit; if parts are thinner than two voxels, reduce "
+                "voxel_size; if tension is set, reduce it; if nothing is inside a shape, set "
+                "target_iso_value for an image, mesh_thickness for an open mesh."
             )
         return skin
 

@@ -22,6 +22,7 @@ from .series import TemporalSource
 from .solvent import empty_image, excluded_distance, for_triangles, usual_voxel
 
 _RADII = "radius"
+_ADVICE = "choose an array of radii (frames: arrays, skin: radii, command: --radii)"
 _FOLLOWING = 24.0  # distances to the target fall by a factor e^24 per step
 
 
@@ -70,13 +71,13 @@ class ProbedAtoms:
         if array is None:
             raise ValueError(
                 f"The atoms have no array of numbers {self._radii!r}, but a probe needs van der "
-                "Waals radii; choose an array of radii by the option radii, or leave radii out and "
-                "write elements into an .xyz, .pdb or .dump."
+                f"Waals radii; {_ADVICE}, or leave radii out and write elements into an .xyz, .pdb "
+                "or .dump."
             )
         if array.GetNumberOfComponents() != 1:
             raise ValueError(
                 f"The array {self._radii!r} has {array.GetNumberOfComponents()} components, but "
-                "radii need one number for each atom; choose another array by the option radii."
+                f"radii need one number for each atom; {_ADVICE}."
             )
         return vtk_to_numpy(array)
 

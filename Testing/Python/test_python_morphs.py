@@ -71,7 +71,7 @@ class Morphs(unittest.TestCase):
             way = active.morph(
                 cube(), output_of(apart), frames=3, voxel_size=0.1, create_parts=False
             )
-            with self.assertRaisesRegex(ValueError, "There is no skin at the time 1. Either"):
+            with self.assertRaisesRegex(ValueError, "There is no skin at the time 1. If"):
                 list(way)
         self.assertEqual(sum("vanished" in str(one.message) for one in told), 1)
 

@@ -56,8 +56,9 @@ def each_label(
     labels = find() if options.labels == "all" else options.labels
     if not labels:
         raise OSError(
-            "--label all has found no label (0 in an image is none); give numbers, as --label 3, "
-            "or leave --label out."
+            "--label all has found no label; it searches the first file (skin: the first, middle "
+            "and last frame), and 0 in an image is no label. Choose other files, or, in skin, give "
+            "numbers, as --label 3."
         )
     for label in labels:
         own = Namespace(**vars(options), label=label)
