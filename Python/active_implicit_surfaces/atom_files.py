@@ -63,7 +63,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     if short is not None:
         raise ValueError(
             f"line {place + 3 + short} has {len(rows[short])} column(s), but an atom has {width}; "
-            f"or fewer than the {count} atoms of line {place + 1} follow it; correct the file"
+            f"correct this line, or the number of atoms in line {place + 1}, which is {count}"
         )
     frame: Frame = {}
     for name, kind, first, size in columns:
@@ -180,7 +180,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             usual = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
             frame.setdefault("radius", usual)
     if unknown:
-        effect = "get the radius 0" if are_known else "get no radius from it"
+        effect = "get the radius 0" if are_known else "get no radius"
         effect += ". Write elements in the file, or choose an array of radii."
         effect = "keep the radii of the file." if has_radii else effect
         warn(

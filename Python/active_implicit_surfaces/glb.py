@@ -201,7 +201,7 @@ def check_glb(path: Path) -> tuple[bool, bool, Any]:
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
         raise OSError(
             f"{path} cannot be read: it is no valid .glb (glTF 2.0), or its meshes are compressed "
-            "or sparse; write it again without that."
+            "or sparse; write it again, without compression and sparse accessors."
         ) from error
 
 

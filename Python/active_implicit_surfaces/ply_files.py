@@ -186,7 +186,10 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     if strips := _strips(found.get("tristrips", {})):
         mesh.SetStrips(_polygons(strips, mesh.GetNumberOfPoints()))
         if beside := [name for name, own in faces.items() if _is_number(own)]:
-            warn(f"{path}: properties of polygons beside strips are left out: {', '.join(beside)}.")
+            warn(
+                f"{path}: properties of polygons are left out, because the file also has strips: "
+                f"{', '.join(beside)}."
+            )
     else:
         numbers = {name: own for name, own in faces.items() if _is_number(own)}
         _add_arrays(mesh, mesh.GetCellData(), numbers)

@@ -208,7 +208,7 @@ def _read_kinds(path: Path) -> Frame:
     parts = [part for part in parts if len(part["array"])] or parts[:1]
     held = [name for name in parts[0] if all(name in part for part in parts)] if parts else []
     if not {*"xyz"} <= {*held}:
-        raise ValueError("it has no particles, or x, y or z is missing in some; write them for all")
+        raise ValueError("it has no particles, or some lack x, y or z; write x, y and z for all")
     frame = {name: numpy.concatenate([part[name] for part in parts]) for name in held}
     for name, axes in (("positions", "xyz"), ("Velocity", "uvw")):
         if {*axes} <= frame.keys():

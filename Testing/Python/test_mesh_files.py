@@ -109,7 +109,7 @@ class MeshFiles(CommandTest):
         text = (head + "3 0 1 2 7\n5 0 2 1 3 -1\n").replace("element tri", face)
         self.put("both.ply", text)
         said = self.succeed("info", "both.ply")
-        self.assertIn("properties of polygons beside strips are left out: n.", said.err)
+        self.assertIn("left out, because the file also has strips: n.", said.err)
         self.assertIn("arrays: none", said.out)
 
     def test_a_ply_in_capital_letters(self):
