@@ -65,8 +65,9 @@ _WHERE = {
     "no_radii": "without --radii",
     "no_times": "without --times",
     "particles": "on particles, with active-surface skin (no --probe)",
-    "pipeline": "in a pipeline of VTK; here set --times or --fps of skin, or --duration of morph",
-    "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
+    "pipeline": "in a pipeline of VTK; here set --times or --fps of skin, or --duration and "
+    "--frames of morph",
+    "potential": "in a pipeline of VTK; here -o NAME.vdb writes the distances to the skin",
     "range": "before the first of --frames FIRST:LAST",
     "render": "on pictures (--render of skin and morph)",
     "series": "from one frame to the next",
