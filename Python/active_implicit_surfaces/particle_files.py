@@ -220,7 +220,7 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
                 f"{path}: {suffix} is a format of meshes, not of particles.{_ABOUT_MESHES}"
             )
         raise OSError(
-            f"{path}: particles are read from {', '.join(TARGET_SUFFIXES)}, not from "
+            f"{path}: particles or images are read from {', '.join(TARGET_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."
         )
     if suffix == ".ply":

@@ -173,7 +173,7 @@ class Data(CommandTest):
         self.assertNotIn("bounds", found)
 
     def test_an_unknown_kind_of_file(self):
-        self.assert_skin_fails("particles are read from", self.put("a.abc", "x"))
+        self.assert_skin_fails("particles or images are read from", self.put("a.abc", "x"))
         self.assertIn("info reads", self.fail_with(1, "info", self.put("a.abc", "x")))
         self.assertIn(
             "files are read from",
