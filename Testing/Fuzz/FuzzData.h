@@ -70,7 +70,7 @@ inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData
     {
       const double number = input.TakeNumber();
       // Integer arrays get integers: other values may not be representable. As radii these are
-      // small, because a radius of 100 alone makes a leaf search of a hundred milliseconds.
+      // small, because one radius of 100 makes a leaf search of a hundred milliseconds.
       const bool isFloating =
         array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
       array->SetComponent(i, component, isFloating ? number : input.Below(8));
