@@ -358,8 +358,12 @@ def make_folder_of(path: Path) -> None:
 def replacing(path: Path) -> Iterator[Path]:
     """Yields a temporary name to write to; without an exception the file is renamed to `path`.
 
-    Raises OSError if the file cannot be written.
+    Raises OSError if the file cannot be written, or if the name is of a folder, pipe or device.
     """
+    if path.exists() and not path.is_file():
+        raise OSError(
+            f"{path} cannot be written: it is a folder, a pipe or a device; choose another name."
+        )
     temporary = path.with_name(f".{os.getpid()}.{path.name}")
     try:
         yield temporary

@@ -57,6 +57,7 @@ class Usage(CommandTest):
             "skins are written as": ["skin", DROP, "-o", "a.foo"],
             "films are written as .mp4": ["skin", DROP, "--render", "a.avi"],
             "--fps: 0 is not a finite number above 0": ["skin", DROP, "--fps", 0],
+            "--csv: not allowed with argument --json": ["info", DROP, "--json", "--csv"],
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
             "--index has to be a .pvd": ["skin", DROP, "--index", "a.txt"],

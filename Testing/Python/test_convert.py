@@ -6,6 +6,7 @@ Volumes and areas are sums over the triangles of the written files.
 """
 
 import math
+import os
 import unittest
 
 import active_implicit_surfaces as active
@@ -18,7 +19,7 @@ from shapes import points_of, write
 from skin_checks import check_manifold, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 BALL = 4 / 3 * numpy.pi
 
@@ -149,6 +150,31 @@ class Program(CommandTest):
         said = self.fail_with(1, "convert", source, "-o", self.folder / "b.stl", "--level", 2)
         self.assertIn("its values are from 0 to 1", said)
         self.assertFalse((self.folder / "b.stl").exists())
+
+    def test_a_level_beyond_the_band_of_a_vdb_gives_no_empty_file(self):
+        source = write(vtkActiveVDBWriter(), self.skin, self.folder / "skin.vdb")
+        for level in (9, -9):
+            said = self.fail_with(
+                1, "convert", source, "-o", self.folder / "b.stl", "--level", level
+            )
+            self.assertIn(f"no surface at the level {level}", said)
+        self.assertFalse((self.folder / "b.stl").exists())
+
+    def test_a_frame_without_the_label_is_named(self):
+        for name, label in (("one.vti", 1), ("two.vti", 2)):
+            image = image_of(lambda *x, label=label: label * inside(*x), dtype=numpy.int16)
+            write(vtkXMLImageDataWriter(), image, self.folder / name)
+        files = [self.folder / name for name in ("one.vti", "two.vti")]
+        said = self.fail_with(1, "convert", *files, "--label", 1, "-o", self.folder / "a.stl")
+        self.assertIn("two.vti: The image has no label 1", said)
+
+    def test_a_pipe_is_not_replaced(self):
+        mesh = write(vtkXMLPolyDataWriter(), self.skin, self.folder / "skin.vtp")
+        for name in ("pipe.ply", "pipe.vdb", "pipe.vtp"):
+            os.mkfifo(self.folder / name)
+            said = self.fail_with(1, "convert", mesh, "-o", self.folder / name)
+            self.assertIn("a pipe or a device", said)
+            self.assertTrue((self.folder / name).is_fifo())
 
 
 if __name__ == "__main__":

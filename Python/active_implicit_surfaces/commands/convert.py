@@ -192,7 +192,10 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]
         whole = read_shape(file, parts=parts)
-        shape = choose(whole, options.where or (), options.label, note)
+        try:
+            shape = choose(whole, options.where or (), options.label, note)
+        except ValueError as error:
+            raise OSError(f"{file}: {error}") from error
         is_contour = shape.IsA("vtkImageData") and not is_vdb
         return _contour(file, shape, options) if is_contour else shape
 
@@ -229,7 +232,9 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
     except ValueError as error:
         raise OSError(f"{file}: {error}") from error
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
-    if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
+    # The .vdb of a skin that has vanished is constant.
+    may_be_empty = suffix_of(file) == ".vdb" and scalars and len({*scalars.GetRange()}) == 1
+    if surface.GetNumberOfPoints() == 0 and scalars is not None and not may_be_empty:
         raise OSError(_about_no_surface(file, image, scalars, level, options))
     return surface
 

@@ -70,8 +70,9 @@ def make_parser() -> Parser:
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_choice_options(parser)
-    parser.add_argument("--json", action="store_true", help="print as JSON")
-    parser.add_argument("--csv", action="store_true", help="print measures of each mesh as a table")
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true", help="print as JSON")
+    form.add_argument("--csv", action="store_true", help="print measures of each mesh as a table")
     add_help(parser)
     return parser
 
