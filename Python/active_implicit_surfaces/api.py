@@ -137,7 +137,8 @@ class frames(Skins):
     arrays : dict of str, optional
         Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
         Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower
-        case); for radii, with `probe` or the preset molecule or grains, the array "radius".
+        case); for radii, with `probe` or the preset molecule or grains, the array "radius" (with
+        a preset and ``kernel_radius``: none).
     progress : callable(int, int), optional
         Called after each skin with the numbers of finished skins and of all skins.
     **options

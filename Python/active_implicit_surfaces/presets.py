@@ -119,10 +119,13 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets SUM with short kernels; radii: the chosen array, else "radius", else one value."""
+    """Sets SUM with short kernels; radii: the chosen array, else one value if "kernel_radius" is in
+    `options`, else the array "radius", else one value.
+    """
     first = source.first_frame()
-    chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
-    radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None
+    name = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
+    name = name or ("" if "kernel_radius" in options else "radius")
+    radii = first.GetPointData().GetArray(name) if name and first.GetNumberOfPoints() else None
     spacing = options.get("particle_spacing") or estimate_spacing(first)
     radius = 0.5 * spacing if radii is None else float(numpy.median(vtk_to_numpy(radii)))
     surface.SetParticleModelToSum()

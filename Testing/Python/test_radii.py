@@ -87,6 +87,14 @@ class Balls(unittest.TestCase):
     def test_a_preset_for_grains(self):
         self.check([0.5, 0.4, 0.3], 0.1, preset="grains")
 
+    def test_a_kernel_radius_overrides_the_array_radius_of_a_preset(self):
+        centers, given = numpy.array([[0.0, 0, 0], [9, 0, 0]]), numpy.array([1.0, 1.5])
+        atoms = as_particles(centers, radius=given)
+        options = {"preset": "molecule", "kernel_radius": 2 / 0.7947, "voxel_size": 0.2}
+        for more, wanted in (({}, [2.0, 2.0]), ({"radii": "radius"}, given)):
+            shown = radii_of_balls(active.skin(atoms, **options, **more), centers)
+            numpy.testing.assert_allclose(shown, wanted, rtol=SHARE)
+
     def test_the_mean_over_places_at_voxels_of_a_radius(self):
         radii = [1.0] * 60
         centers = balls(radii, seed=3)
