@@ -142,6 +142,21 @@ class Program(CommandTest):
             made = read_shape(self.folder / name)
             self.assertAlmostEqual(volume(made) / volume(self.skin), 1.0, delta=0.02)
 
+    def test_an_image_by_way_of_vdb_keeps_its_inside(self):
+        """Distances, fractions and signs, in grids without a class."""
+        makers = {
+            "distances": ball,
+            "fractions": lambda *x: numpy.clip(0.5 - 10 * ball(*x), 0, 1),
+            "signs": lambda *x: numpy.where(inside(*x), 1.0, -1.0),
+        }
+        for name, maker in makers.items():
+            with self.subTest(name):
+                source = write(vtkXMLImageDataWriter(), image_of(maker), self.folder / "a.vti")
+                self.succeed("convert", source, "-o", self.folder / "a.vdb")
+                self.succeed("convert", self.folder / "a.vdb", "-o", self.folder / "a.ply")
+                made = read_shape(self.folder / "a.ply")
+                self.assertAlmostEqual(volume(made) / BALL, 1.0, delta=0.05)
+
     def test_a_label_map_is_converted_without_options(self):
         labels = image_of(inside, dtype=numpy.int16)
         source = write(vtkXMLImageDataWriter(), labels, self.folder / "labels.vti")

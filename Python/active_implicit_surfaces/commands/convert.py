@@ -226,7 +226,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
                     "or most values at its border are lower."
                 )
         else:
-            level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
+            level, above = _level_of_grid(file, image)
         level = level if options.level is None else options.level
         surface = contour(image, level, above=above)
     except ValueError as error:
@@ -259,6 +259,17 @@ def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, option
     )
 
 
-def _is_level_set(file: Path) -> bool:
+def _level_of_grid(file: Path, image: Any) -> tuple[float, bool]:
+    """Returns the level of a .vdb, and True if inside is above, as in a fog.
+
+    Grids without a class, as written from images, follow `usual_level` if a value is negative.
+    """
     reader = open_vtk(file)
-    return "level set" in map(reader.GetGridClass, range(reader.GetNumberOfGrids()))
+    classes = {*map(reader.GetGridClass, range(reader.GetNumberOfGrids()))}
+    if "level set" in classes:
+        return 0.0, False
+    scalars = image.GetPointData().GetScalars()
+    is_plain = "fog volume" not in classes and scalars is not None
+    if is_plain and numpy.any(vtk_to_numpy(scalars) < 0):
+        return usual_level(image)
+    return _FOG_LEVEL, True
