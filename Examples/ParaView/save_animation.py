@@ -1,4 +1,4 @@
-"""The splash as an animation: the pictures of its frames, and its skins as a series of .vtp files.
+"""Frames 10 to 25 of the splash as an animation: pictures, and skins as a series of .vtp files.
 
 Run: pvbatch save_animation.py [--output DIR]
 """

@@ -1,7 +1,7 @@
 """Walls and periodic sides: the same water in a box, with and without the filter's properties.
 
-The first picture is seen from below. The second picture shows the skin of a periodic box, and a
-copy of the skin in the next box: wave and drop continue through the side.
+The first picture is seen from below. The second picture shows each skin and, in the next box, a
+copy of the skin: with PeriodicBounds, wave and drop continue through the side.
 
 Run: python3 boxes.py [--output FOLDER]
 """

@@ -11,8 +11,8 @@ its corner at the origin, the size scene.size, and is open above. The scenes:
     jitter    the pool without drops, each particle displaced by up to r / 10 along each axis, new
               in each frame
     slosh     the pool in a box that is shaken
-    splash    a ball falls into a pool; load_scene's size_of is about the number of particles,
-              default 20,000
+    splash    a ball falls into a pool; the option size_of of load_scene is the approximate number
+              of particles, default 20,000
     dam       a column of water breaks under a gravity of 14: particles go up to 25 r in a frame
     fountain  a jet from a nozzle, new particles in each frame, falls into a basin, which drains
     rain      drops of 3 to 30 particles appear in the air and fall into a shallow pool
@@ -64,8 +64,8 @@ def ball(radius, spacing, seed=1):
 
 
 def record(name, fluid, count, before=lambda frame: None, **motion):
-    """`count` frames. `before` is called before each frame except the first, and may add and
-    remove particles."""
+    """Returns `count` frames. `before` is called before each frame except the first, and may add
+    and remove particles."""
     frames = []
     for frame in range(count):
         if frame:
@@ -158,7 +158,7 @@ def splash(size_of=20000, count=26):
 
 
 def dam(count=30, across=12, high=40):
-    """The box is three columns long; water that hits its end rises along it."""
+    """The box is three times as long as the column; water rises along the wall at its end."""
     fluid = Fluid(SPACING, (60 * SPACING, 2 * high * SPACING, across * SPACING), 3.0)
     column = lattice((0, 0, 0), (20 * SPACING, high * SPACING, across * SPACING), SPACING)
     fluid.add(shaken(column, 0.1 * SPACING, 6), (0.0, 0.0, 0.0))
@@ -167,8 +167,7 @@ def dam(count=30, across=12, high=40):
 
 
 def fountain(count=40, across=ACROSS):
-    """An arc from a nozzle above one side. Drains are in the corners: as much water leaves as
-    enters."""
+    """An arc from a nozzle near one side. Water leaves by drains in the corners."""
     speed, layers = 4.4, 3
     fluid = settled(across, 3, SPACING, 40 * SPACING, settling=12)
     disc = lattice((-3 * SPACING,) * 2, (3 * SPACING,) * 2, SPACING)
@@ -214,7 +213,7 @@ def rain(count=40):
 
 
 def sheet(count=20, across=32):
-    """Sheet stretched along x by 4 % of its length in each frame, some gaps more than others."""
+    """Sheet stretched unevenly along x, by 4 % of its initial length in each frame."""
     weights = 0.6 + 0.8 * np.random.default_rng(3).random(across - 1)
     flat = lattice((0, 0, 0), (across * SPACING, SPACING, across * SPACING), SPACING)
     ids, offsets = np.arange(len(flat)), shaken(flat, 0.03 * SPACING, 4) - flat

@@ -1,4 +1,4 @@
-"""Motion blur by the vectors of an .exr file: a pixel is a mean along its path to the next frame.
+"""Motion blur by the vectors of an .exr file: a pixel is a mean along its path in one frame.
 
 Run: python3 motion_blur.py [--output FOLDER]
 """

@@ -34,7 +34,7 @@ def skin_of(series, **options):
 
 
 def without_drops(step):
-    """Particles below a height at the end, and in the last frames all particles."""
+    """Particles that end below a height; from the third frame on, all particles."""
     kept = np.flatnonzero(places[-1][:, 1] < (0.62 if step < 2 else np.inf))
     return as_particles(places[step][kept], ids=kept)
 
