@@ -2,8 +2,8 @@
 
 >>> from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 
-`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default. Functions
-and classes:
+`help(vtkActiveImplicitSurface)` shows every property with its default and, if the property is a
+number, its range and any unit. Functions and classes:
 
 skin(particles)          the skin over one frame of particles
 frames(series)           the skins over a series of particles, each from the previous skin

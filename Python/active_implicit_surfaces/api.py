@@ -51,11 +51,13 @@ def skin(
     radii : array (n,) or str, optional
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of a point array; weights of 0 or less give no skin.
+        Weight of each particle, or the name of a point array. Weights of 0 or less give no skin;
+        with ``particle_model="sum"`` negative weights also remove skin of other particles.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options override the preset.
+        Named set of property values; properties given as options, except as "automatic" or -1,
+        override the preset.
     arrays : dict of arrays, optional
         Further point arrays; ``pass_target_arrays=True`` passes them to the skin.
     **options
@@ -133,7 +135,8 @@ class frames(Skins):
     output_fps : float, optional
         Skins per unit of time [1/time], also between frames. Default: a skin per frame.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options override the preset.
+        Named set of property values; properties given as options, except as "automatic" or -1,
+        override the preset.
     arrays : dict of str, optional
         Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
         Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower

@@ -249,7 +249,7 @@ def _guess(name: str, table: Any) -> str:
 
 
 def read_gro(path: Path) -> Frames:
-    """Reads the frames of a .gro [nm]; times are `t=` of the titles, if all have it, increasing."""
+    """Reads the frames of a .gro [nm], with times if every title has a `t=` and these increase."""
     lines = path.read_text(encoding="latin-1").splitlines()
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
@@ -291,7 +291,10 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
 
 
 def _edges_of(line: str) -> Frame:
-    """Reads the box of a .gro: sides, then off-diagonal entries; blanks may be missing."""
+    """Reads the box of a .gro: sides, then off-diagonal entries.
+
+    Blanks may be missing if all numbers have five decimals.
+    """
     are_apart = all(cell.count(".") < 2 for cell in line.split())
     words = line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line)
     cells = _finite(words)
@@ -355,7 +358,7 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name in capitals; for an ion, whose residue has the same name, like Na."""
+    """Returns an atom's name in capitals (CA); as Na for an ion, whose residue has this name too."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 

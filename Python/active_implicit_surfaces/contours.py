@@ -27,9 +27,9 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError without scalars of one component, unless the image has no points; with values
-    on both sides also for a flat image, or for too many voxels.
-    Warns of values that are not finite.
+    Raises ValueError without scalars of one component, unless the image has no points. With values
+    on both sides, raises ValueError also for a flat image or too many voxels, and warns as the
+    filter does, for example of values that are not finite.
     """
     from . import vtkActiveImplicitSurface
 
@@ -106,7 +106,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """Returns an image that is 0 at the level and negative inside; such an image is not copied."""
+    """Returns an image that is 0 at the level and negative inside: `image` itself if it is so."""
     if not above and level == 0:
         return image
     own, values = _with_point_values(image)

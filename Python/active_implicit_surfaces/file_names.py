@@ -75,7 +75,7 @@ def _numbers_in(names: list[str]) -> re.Pattern[str]:
 def suffix_of(name: str | Path) -> str:
     """Returns the extension in lower case: .vtp of a.VTP, .series of a.vtp.series.
 
-    It is .nii.gz of a.nii.gz, and .dump of LAMMPS names such as dump.100.
+    .nii.gz and .bgeo.gz are one extension; LAMMPS names such as dump.100 have the extension .dump.
     """
     lower = Path(name).name.lower()
     if re.fullmatch(r"(.*\.)?dump[._]?(.*\.)?\d+", lower):

@@ -176,7 +176,9 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 
 
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
-    """Raises OSError unless all accessors and references of a .glb are valid; VTK does not check.
+    """Raises OSError unless a .glb's accessors, and references to them, meshes and nodes are valid.
+
+    VTK does not check.
 
     Returns three values: True for a file of this package, whose vertices have the data's axes; True
     for a file with meshes; the origin to add to the vertices, None for 0.

@@ -55,11 +55,11 @@ class morph(Skins):
     Raises
     ------
     ValueError
-        A value is out of range, a shape is not usable, the filter reports an error (the text is the
-        filter's message), or a skin is empty although `b` is not.
+        A value is out of range, `frames` is no whole number, a shape is not usable, the filter
+        reports an error (the text is the filter's message), or a skin is empty although `b` is not.
     TypeError
         Unknown keyword (the text names a similar one, if any), a keyword that duration and
-        frames replace, a shape or a value of a wrong type, or `fit` with a function.
+        frames replace, a shape or another value of a wrong type, or `fit` with a function.
 
     Warns
     -----
@@ -166,7 +166,10 @@ def _count_of(frames: Any) -> int:
 
 
 def _prepared(shape: Any, which: str, has_usual_level: bool) -> Any:
-    """Returns a function, mesh or image, as a level set if asked; errors name the shape."""
+    """Returns the function, mesh or image, or a level set of an image with a usual level.
+
+    Errors name the shape.
+    """
     if _is_function(shape):
         return shape
     try:

@@ -55,7 +55,8 @@ def apply_preset(
 def estimate_spacing(cloud: Any) -> float:
     """Estimates the spacing as the median distance to the third nearest particle.
 
-    Unlike the filter, ignores radii and periodic boxes. Returns 0 for fewer than two particles.
+    Of two or three particles, the distance to the farthest counts. Unlike the filter, ignores radii
+    and periodic boxes. Returns 0 for fewer than two particles.
     """
     cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()

@@ -49,7 +49,7 @@ class Property:
 
     @property
     def is_automatic(self) -> bool:
-        """Returns True if the filter chooses the value by default."""
+        """Returns True for a number whose default is -1, automatic."""
         return bool(self.kind == "number" and self.default == AUTOMATIC)
 
     @property

@@ -163,9 +163,11 @@ def capture(
     apart : dict of vtkActor, optional
         Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives the
         arrays "ground" (in the file ground.R, .G, .B, .A) and "ground.Z". The background is left
-        out, even if the dict is empty, so A is the coverage of the other actors. Default: none.
+        out, even if the dict is empty, so A is the coverage of the other actors. Default: None,
+        with the background.
     origin : (float, float, float), optional
         Point of the world [length] that is subtracted from P, which has single precision.
+        Default: 0.
 
     Returns
     -------

@@ -176,8 +176,9 @@ class ParticleSeries(TemporalSource):
     Parameters
     ----------
     frames : iterable of particles or of files, one file, pattern or folder, or callable(time)
-        Particles in a form that `as_particles` accepts, but a vtkPolyData keeps its cells (polygons
-        are a mesh, lines a skeleton), or images; files as for `active-surface skin`.
+        Particles in a form that `as_particles` accepts, or images; files as for `active-surface
+        skin`. A vtkPolyData keeps its cells (polygons are a mesh, lines a skeleton), unless `where`
+        is given.
     times : sequence of float, optional
         Time of each frame [time], increasing; required for a callable.
     fps : float, optional
@@ -192,7 +193,8 @@ class ParticleSeries(TemporalSource):
         Times do not increase, or are not one for each frame; times and fps are both given; no frame
         is given; fps is out of range; a condition is malformed.
     TypeError
-        A callable is given without times, or frames is neither iterable nor callable.
+        A callable is given without times, frames is neither iterable nor callable, or times or fps
+        have a wrong type.
     OSError
         A file does not exist or cannot be read.
 

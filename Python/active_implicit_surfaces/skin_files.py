@@ -113,7 +113,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     """Reads a mesh or an image; joins the file and `parts`, if any, into one mesh.
 
-    With `parts`, images are contoured. A file of a mesh without points is an empty vtkPolyData.
+    With `parts`, images are contoured. A mesh without points becomes an empty vtkPolyData.
     Raises OSError if a file cannot be read, or holds data other than a mesh or an image.
     """
     if parts:
@@ -152,7 +152,7 @@ def holds_particles(path: Path) -> bool | None:
     """Returns True for particles, False for a mesh or image, None for no points.
 
     Particles: a vtkPolyData without polygons (of a .vdb even without points), or another point set
-    whose cells are vertices. If the extension allows only particles, or only meshes and images, the
+    with no cells but vertices. If the extension allows only particles, or only meshes and images, the
     file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)

@@ -111,7 +111,7 @@ def check_effects(
 
 
 def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
-    """Yields the given options of a command line, and their rows."""
+    """Yields the given options, except switches set to their default, and the options' rows."""
     for name, value in vars(options).items():
         if name.startswith(_START) and value is not None:
             own = properties.find(name[len(_START) :])

@@ -183,7 +183,7 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
 def _measure_all(
     frames: list[tuple[Path, ...]], where: Sequence[str], labels: Sequence[int] = ()
 ) -> list[dict[str, Any]]:
-    """Returns the measures of each of several meshes, or of each label of each mesh."""
+    """Returns the measures of each mesh, or of each label of each mesh."""
     found, note = [], note_once() if len(frames) > 1 else None
     for file, *parts in frames:
         shape = read_shape(file, parts=parts)

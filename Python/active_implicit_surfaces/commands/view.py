@@ -19,8 +19,9 @@ _SAMPLED = 2000  # particles of a frame that are searched for strays
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
     """Returns points around the particles of up to 64 frames of a series, and the up axis, y or z.
 
-    The points are the extremes of each frame in 26 directions. Strays, such as drops that fly off,
-    are out of view if farther from the other particles' box than a quarter of its longest side.
+    The points are the extremes of each frame in 26 directions, with a margin for the skin. Strays,
+    such as drops that fly off, are out of view if farther from the other particles' box than a
+    quarter of its longest side.
 
     The up axis is the result of `lie` for bounds and mean position of the frames. For images the up
     axis is z, and the bounds of the first image are in view.
