@@ -188,7 +188,7 @@ def _values_of(data: Any, name: str) -> tuple[Any, bool]:
         axis = "xyz012".index(component["axis"]) % 3
         for attributes, is_of_cells in held:
             array = attributes.GetArray(component["name"])
-            if array is not None and array.GetNumberOfComponents() > axis:
+            if array is not None and array.GetNumberOfComponents() > max(axis, 1):
                 return vtk_to_numpy(array)[:, axis], is_of_cells
     held_names = [one for attributes, _ in held for one in array_names(attributes)]
     listed = ", ".join(["x", "y", "z", *held_names])

@@ -65,8 +65,10 @@ class Conditions(unittest.TestCase):
         for where in ("Type", "Type=", "=3", "T<a", "T<1,2", "T=>3", "T=1,", 'T="a', ""):
             with self.subTest(where), self.assertRaisesRegex(ValueError, "is no condition"):
                 choice.choose(self.cloud, [where])
-        with self.assertRaisesRegex(ValueError, "no array 'Kind' to choose by; there are x, y, z"):
-            choice.choose(self.cloud, "Kind=1")
+        for name in ("Kind", "T_x", "v:3"):  # T has one component
+            words = f"no array '{name}' to choose by; there are x, y, z"
+            with self.subTest(name), self.assertRaisesRegex(ValueError, words):
+                choice.choose(self.cloud, f"{name}=1")
 
     def test_polygons_by_points_and_by_cells(self):
         cube = vtkCubeSource()
