@@ -90,10 +90,10 @@ def skin(
     ...
     TypeError: ... no property 'particle_spcing'; did you mean 'particle_spacing'?
     """
+    options = properties.given(options)  # no keyword of frames or configure
     chosen, given = _sort_arrays({"radii": radii, "strengths": strengths})
     cloud = as_particles(particles, **given, **(arrays or {}))
     if probe is not None:
-        options = properties.given(options)  # no keyword of frames
         one = frames([cloud], probe=probe, preset=preset, arrays=chosen, **options)
         return like(particles, next(one).skin)
     surface = vtkActiveImplicitSurface()

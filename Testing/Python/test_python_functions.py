@@ -143,8 +143,9 @@ class Properties(unittest.TestCase):
             arguments = {active.morph: [vtkSphere(), vtkSphere()], active.LiveSurface: []}.get(
                 call, [moving_grid(2) if call is active.frames else grid()]
             )
-            with self.subTest(call.__name__), self.assertRaisesRegex(TypeError, "'voxel_size'"):
-                call(*arguments, voxelsize=1)
+            for wrong, words in (("voxelsize", "'voxel_size'"), ("interval", "no property")):
+                with self.subTest(call.__name__), self.assertRaisesRegex(TypeError, words):
+                    call(*arguments, **{wrong: 1})
 
     def test_automatic_is_as_not_given(self):
         plain = bytes_of(active.skin(grid()))
