@@ -358,7 +358,7 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name in capitals (CA); as Na for an ion, whose residue has this name too."""
+    """Returns an atom's name as CA, or as Na for an ion, whose residue has the same name."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 

@@ -54,7 +54,9 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; scalar properties of vertices and polygons become arrays.
 
-    If there are strips too, properties of polygons are left out, with a warning. Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
+    If there are strips too, properties of polygons are left out, with a warning.
+
+    Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """
     try:
         content = path.read_bytes()

@@ -152,8 +152,8 @@ def holds_particles(path: Path) -> bool | None:
     """Returns True for particles, False for a mesh or image, None for no points.
 
     Particles: a vtkPolyData without polygons (of a .vdb even without points), or another point set
-    with no cells but vertices. If the extension allows only particles, or only meshes and images, the
-    file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
+    with no cells but vertices. If the extension allows only particles, or only meshes and images,
+    the file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
