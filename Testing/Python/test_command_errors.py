@@ -60,6 +60,7 @@ class Usage(CommandTest):
             "--csv: not allowed with argument --json": ["info", DROP, "--json", "--csv"],
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
+            "'Type' is no condition": ["skin", DROP, "--where", "Type"],
             "--index has to be a .pvd": ["skin", DROP, "--index", "a.txt"],
             "a film cannot be resumed": ["skin", DROP, "--resume", "--render", "a.ogv"],
             "the following arguments are required": ["morph", "a.stl"],

@@ -10,7 +10,7 @@ from typing import Any
 import numpy
 
 from .. import runner
-from ..choice import choose, conditions, labels_of
+from ..choice import choose, labels_of
 from ..morphing import FITS, morph
 from ..skin_files import MESH_SUFFIXES, read_shape
 from .effects import check_effects
@@ -58,7 +58,6 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any], shapes: list[Any]
 
 def _chosen(file: Path, shape: Any, options: Any) -> Any:
     """Returns what --where and --label select; errors name the file."""
-    conditions(options.where or ())
     try:
         return choose(shape, options.where or (), options.label)
     except ValueError as error:

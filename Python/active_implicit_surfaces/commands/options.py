@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from .. import properties, vtkActiveImplicitSurface
+from ..choice import conditions
 from ..presets import PRESETS
 
 WIDTH = 100
@@ -164,6 +165,7 @@ def add_choice_options(group: Any, searched: str = "the first frame") -> None:
     group.add_argument(
         "--where",
         action="append",
+        type=condition,
         metavar="COND",
         help="select data that meet each COND: Type=1, element=Na,Cl, id!=3, 'T>300'",
     )
@@ -220,6 +222,18 @@ def times_list(text: str) -> list[float]:
         raise argparse.ArgumentTypeError(
             f"{text} are no times; write 0,0.1,0.2 or FIRST:LAST:COUNT"
         ) from None
+
+
+def condition(text: str) -> str:
+    """Returns the text of a condition after a check of its form."""
+    try:
+        conditions(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no condition; write NAME=1, NAME=Na,Cl, NAME!=1, NAME<1 or NAME>=1, one "
+            "for each --where"
+        ) from None
+    return text
 
 
 def label_list(text: str) -> list[int] | str:
