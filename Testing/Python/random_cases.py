@@ -171,7 +171,7 @@ def smaller_cases(case):
 
 
 def minimise(case, fails):
-    """Smallest case that still fails: without any part the case passes. `fails` tries a case."""
+    """Smallest case that still fails: without any one part it passes. `fails` tries a case."""
     while True:
         for smaller in smaller_cases(case):
             if fails(smaller):

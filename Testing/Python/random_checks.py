@@ -160,7 +160,7 @@ class Case:
         self.counts["stopped"] += self.is_so_on_any(is_struck and left[0] <= 0)
 
     def do_fail(self, time):
-        """The input fails, if the request executes it."""
+        """Makes the input fail, if the request executes the input."""
         source = self.made["target"]
         if isinstance(source, Source):
             source.fails = self.is_struck()
@@ -248,7 +248,7 @@ class Case:
         assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
 
     def check_time(self, time):
-        """Checks for the requested time, or for a step within a millionth of the interval of it."""
+        """Checks the time of the skin: as requested, or a step within a millionth of an interval."""
         information = self.surface.GetOutput().GetInformation()
         key = self.surface.GetOutput().DATA_TIME_STEP()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())

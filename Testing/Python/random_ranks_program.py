@@ -17,7 +17,7 @@ LONG = ("EvolutionMode",)  # converging takes as long as it takes, and ranks do 
 
 
 def on_one(step, count, pieces):
-    """All are of one rank, another one at each step."""
+    """All particles are on one rank, a different one at each step."""
     return numpy.full(count, step % pieces)
 
 

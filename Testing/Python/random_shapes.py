@@ -116,8 +116,8 @@ def unmatched_particles(random):
 
 
 def growing_crowd(random):
-    """Particles without ids whose number grows, by up to a hundred times, while they move by more
-    than their spacing."""
+    """Particles without ids whose number may grow, up to 200, and which may move by more than
+    their spacing."""
     count, factor = random.randint(1, 20), random.choice((1, 2, 4, 10))
     way = place(random, 1.0)
 
@@ -128,7 +128,7 @@ def growing_crowd(random):
 
 
 def as_table(points):
-    """Table of the same particles: a column for each axis, in any order, and their arrays."""
+    """Table of the same particles: columns x, y, z, and their arrays."""
     table = vtkTable()
     positions = numpy.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
     for axis, values in zip("xyz", positions.reshape(-1, 3).T):
@@ -378,7 +378,7 @@ OTHERS = (
 
 
 def shape_of(kind):
-    """A shape in the form of one with array names, but without any."""
+    """Returns a maker of a shape that has no array names."""
     return lambda random: (kind(random), {})
 
 

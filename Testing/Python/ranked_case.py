@@ -1,5 +1,5 @@
-"""A random case (random_checks.py) on ranks of MPI: each does the operations, what fails or is
-stopped does so on one of them, and a fresh filter of one process gives the same bytes."""
+"""A random case (random_checks.py) on ranks of MPI. All ranks do the operations; failures and
+aborts happen on one rank. A new filter in one process gives the same bytes."""
 
 import tempfile
 from contextlib import contextmanager
@@ -50,7 +50,7 @@ class DealtSource(Source):
 
 
 class CaseAlone(Case):
-    """In one process, though there are ranks."""
+    """A case in one process, within a program on ranks."""
 
     def new_surface(self):
         surface = vtkActiveImplicitSurface()
@@ -59,7 +59,7 @@ class CaseAlone(Case):
 
 
 class RankedCase(Case):
-    """random draws the same on all ranks."""
+    """A case on all ranks; `random` draws the same numbers on each rank."""
 
     def __init__(self, case, ranks, random):
         self.ranks = ranks
@@ -67,7 +67,7 @@ class RankedCase(Case):
         super().__init__(case)
 
     def part_of(self, role, shape, arrays):
-        """Particles without ids are the same only in the order of the ranks."""
+        """Returns the rank's part of a shape; particles without ids keep their order, by blocks."""
         rank, size = self.ranks.rank, self.ranks.size
         owners = at_random if 1 in arrays else in_blocks
         are_particles = role == "target" and self.shapes[role][0] in NAMES_OF_PARTICLES
@@ -108,7 +108,7 @@ class RankedCase(Case):
         super().do(name, *arguments)
 
     def do_piece(self, time, piece, pieces):
-        """Updates one piece, as ParaView requests it; the piece is the rank."""
+        """Updates the piece of this rank in place of `piece`, as ParaView does."""
         self.time = time
         self.update(time, self.ranks.rank, self.ranks.size)
         self.check_messages()
@@ -124,7 +124,7 @@ class RankedCase(Case):
         self.counts["skins"] += self.is_so_on_any(self.surface.GetOutput().GetNumberOfPoints() > 0)
 
     def check_fresh(self):
-        """Against a filter of one process."""
+        """Compares the outputs with those of a new filter in one process."""
         own = (outputs_of(self.surface), self.listener.errors)
         every = self.ranks.gather(own)
         failure = self.find_difference(every) if self.is_first() else None

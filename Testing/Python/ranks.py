@@ -1,4 +1,4 @@
-"""A program on one or several ranks: what its ranks bring, and what they keep of their skins."""
+"""Sources of particles on one or several ranks, and files of the ranks' outputs."""
 
 import os
 import random
@@ -24,7 +24,7 @@ class Alone:
 
 
 def begin(is_alone):
-    """The ranks; VTK's global controller is theirs."""
+    """Returns a communicator of the ranks, which VTK's global controller then uses, or `Alone`."""
     if is_alone:
         return Alone
     from mpi4py import MPI  # it starts MPI
@@ -41,8 +41,8 @@ def begin(is_alone):
 class Particles(VTKPythonAlgorithmBase):
     """Source of the particles of one piece at each step.
 
-    particles(step): arrays by name, "position" one of them. owners(step, count, pieces): whose each
-    of them is.
+    particles(step): arrays by name, one of them "position". owners(step, count, pieces): the piece
+    of each particle.
     """
 
     def __init__(self, steps, particles, owners):
@@ -78,13 +78,13 @@ class Particles(VTKPythonAlgorithmBase):
 
 
 def at_random(step, count, pieces):
-    """Another distribution at each step, and another one for each number of pieces."""
+    """Random pieces, different at each step and for each number of pieces."""
     draw = random.Random(f"{step} {count} {pieces}")
     return numpy.array([draw.randrange(pieces) for _ in range(count)], dtype=int)
 
 
 def in_blocks(step, count, pieces):
-    """In their order, as a series of partitioned files holds them."""
+    """Pieces of consecutive particles, as in partitioned files."""
     return numpy.arange(count) * pieces // max(count, 1)
 
 
@@ -121,7 +121,7 @@ class Keeper:
 
 
 def outputs_of(surface):
-    """All that a rank has of the outputs, as arrays."""
+    """Returns a rank's part of each output, as arrays."""
     return {
         "triangles": triangles_of(surface.GetOutput()),
         "history": history_of(surface.GetHistory()),
@@ -165,7 +165,7 @@ def image_of(image):
 
 
 def history_of(table):
-    """A row for each time step, as text that rounds nothing."""
+    """Returns a text for each row of the history, with the exact numbers."""
     columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
     rows = []
     for row in range(table.GetNumberOfRows()):
@@ -192,7 +192,7 @@ def sorted_triangles(kept):
 
 
 def whole_image(kept, extent):
-    """The nodes of an extent, from all ranks' parts of it; NaN where nobody has any."""
+    """Joins the ranks' parts of an image; NaN at nodes that no rank has."""
     low = numpy.array(extent[0::2])
     image = numpy.full(numpy.array(extent[1::2]) - low + 1, numpy.nan, dtype=numpy.float32)
     for part in kept:

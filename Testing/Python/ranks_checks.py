@@ -1,4 +1,4 @@
-"""Starts programs on ranks, and compares what they have kept with what one process has."""
+"""Starts programs on ranks, and compares their outputs with those of one process."""
 
 import subprocess
 import sys
@@ -13,7 +13,7 @@ NO_MPI = 77  # by with_ranks
 
 
 def start_ranks(program, size, arguments, longest):
-    """Runs a program on `size` ranks, which share the cores; with 0 without MPI, by --alone.
+    """Runs a program on `size` ranks, which share the cores; if `size` is 0, without MPI (--alone).
 
     Fails after `longest` seconds, since ranks may wait for each other for ever.
     """
@@ -37,7 +37,7 @@ def start_ranks(program, size, arguments, longest):
 
 
 def assert_same_outputs(test, kept, alone, of):
-    """The outputs of the ranks are those of the program without MPI, nothing twice."""
+    """Checks that the ranks' outputs, joined, are those of the program without MPI."""
     test.assertTrue(sorted_triangles(kept) == sorted_triangles(alone), f"triangles of {of}")
     test.assertEqual(list(kept[0]["history"]), list(alone[0]["history"]), f"history of {of}")
     for other in kept[1:]:

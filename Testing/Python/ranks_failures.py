@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
 class Failing(Particles):
-    """Source that fails at a step on a rank while `fails` is set, or knows no times."""
+    """Source that fails at step 3 if `fails`, and at each request of times if `knows_no_times`."""
 
     fails = False
     knows_no_times = False
@@ -45,7 +45,7 @@ def make_failing(ranks):
 
 @run
 def failing_step(ranks, keeper, folder):
-    """A step in the middle fails on rank 1; then the same without; the step asked for fails too."""
+    """Step 3 fails on rank 1, for requests of steps 4 and 3; later the same requests succeed."""
     source, surface = make_failing(ranks)
     keeper.update("failed_4", surface, 4)
     source.fails = False
@@ -71,7 +71,7 @@ def failing_information(ranks, keeper, folder):
 
 @run
 def missing_file(ranks, keeper, folder):
-    """The first rank has no file; when it has, all have a skin."""
+    """The first rank lacks its file at first; once it has the file, there is a skin."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName("none.vtp" if ranks.rank == 0 else str(DATA / "sph_drop.vtp"))
     reader.AddObserver("ErrorEvent", lambda caller, event: None)
@@ -84,7 +84,7 @@ def missing_file(ranks, keeper, folder):
 
 @run
 def missing_columns(ranks, keeper, folder):
-    """All ranks have tables without columns; then only the first one, the others no points."""
+    """Tables without columns: on all ranks, then on rank 0 only, beside empty point sets."""
     for name, count in (("no_columns", ranks.size), ("few_columns", 1)):
         surface = make_surface(voxel=0.1, ParticleSpacing=0.1)
         empty = vtkTable() if ranks.rank < count else vtkPolyData()
@@ -115,7 +115,7 @@ def other_properties(ranks, keeper, folder):
 
 @run
 def killed(ranks, keeper, folder):
-    """The last rank comes to a sudden end in the middle of a step, while the others wait for it."""
+    """The last rank is killed in the middle of a step, while the other ranks wait for it."""
     _, surface = make_splash(VoxelSize=0.1)
     keeper.keep("pid", pid=os.getpid())
 
@@ -158,7 +158,7 @@ def aborted(ranks, keeper, folder):
 
 @run
 def changed_upstream(ranks, keeper, folder):
-    """Something upstream changes on one rank only, while all ask for another time."""
+    """The source is modified on rank 0 only; then all ranks request another time."""
     source, surface = make_splash(VoxelSize=0.1)
     keeper.update("unchanged_1", surface, 1)
     if ranks.rank == 0:
@@ -167,7 +167,7 @@ def changed_upstream(ranks, keeper, folder):
 
 
 def box_around(centre, value, beyond):
-    """A value within .3 of a place along each axis, another one beyond."""
+    """Returns a function: `value` within 0.3 of `centre` along each axis, `beyond` elsewhere."""
     image = vtkImageData()
     image.SetDimensions(2, 2, 2)
     image.SetOrigin(*(x - 0.3 for x in centre))
@@ -181,8 +181,8 @@ def box_around(centre, value, beyond):
 
 @run
 def empty_starts(ranks, keeper, folder):
-    """Only some ranks evaluate where the reason is: at either end of the box, so the first or the
-    last one."""
+    """The reason for an empty start lies at one end of the box, where only the first or only the
+    last rank evaluates."""
     for end in (-1.5, 1.5):
         place = (end, 0.1, 0.1)
         ball = vtkSphere()

@@ -1,6 +1,6 @@
 """Runs of test_ranks.py; each rank saves its results in a folder.
 
-Run: python3 ranks_program.py <run>[,<run>...] <folder> [--alone], under mpiexec but for --alone.
+Run: python3 ranks_program.py <run>[,<run>...] <folder> [--alone]; without --alone, under mpiexec.
 """
 
 import os
@@ -23,12 +23,12 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 @run
 def nothing(ranks, keeper, folder):
-    """There is MPI."""
+    """Succeeds if there is MPI."""
 
 
 @run
 def splash(ranks, keeper, folder):
-    """Births and deaths; other owners at each step; forward, between two steps, back; a state."""
+    """Particles with births, deaths and new owners; times forward, between steps, back; a state."""
     _, surface = make_splash()
     keeper.update("splash_2", surface, 2)
     surface.SaveState(os.path.join(folder, "splash.vdb"))
@@ -38,7 +38,7 @@ def splash(ranks, keeper, folder):
 
 @run
 def restart(ranks, keeper, folder):
-    """From the state that another number of ranks has saved."""
+    """Resumes from a state that another number of ranks has saved."""
     _, surface = make_splash()
     assert surface.LoadState(os.path.join(folder, "saved.vdb"))
     keeper.update("restart_4", surface, 4)
@@ -55,7 +55,7 @@ WITHOUT_PARTICLES = {
 
 @run
 def shared(ranks, keeper, folder):
-    """Each rank has a part of the surface: other owners at each step; in between; back; a file."""
+    """Each rank has a part of the surface: times forward, between steps, back; a state, a .vdb."""
     _, surface = make_splash(**WITHOUT_PARTICLES)
     for time in (2, 3.5, 1, 4):
         keeper.update(f"shared_{time}", surface, time)
@@ -76,7 +76,7 @@ def shared(ranks, keeper, folder):
 
 @run
 def shared_back(ranks, keeper, folder):
-    """Back to the start without checkpoints, then with other arrays of the same frames."""
+    """Requests the start again without checkpoints, then the same frames with their arrays."""
     _, surface = make_splash(CheckpointInterval=0, **WITHOUT_PARTICLES)
     for number, time in enumerate((0, 1, 0, 1)):
         keeper.update(f"shared_back_{number}", surface, time)
@@ -115,7 +115,7 @@ def shared_walls(ranks, keeper, folder):
 
 @run
 def shared_estimate(ranks, keeper, folder):
-    """Fast particles without ids whose spacing is estimated; ranks without any."""
+    """Fast particles without ids, whose spacing is estimated, all on the first rank."""
 
     def particles(step):
         places = numpy.random.default_rng(1).random((900, 3))
@@ -129,7 +129,7 @@ def shared_estimate(ranks, keeper, folder):
 
 @run
 def emitter(ranks, keeper, folder):
-    """Particles without ids, in blocks, so that ranks begin without any."""
+    """Particles without ids, in blocks; at the first step all ranks but one have none."""
 
     def particles(step):
         count = 1 + 3 * step
@@ -167,7 +167,7 @@ def part_of_ball(radius, ranks):
 
 @run
 def table(ranks, keeper, folder):
-    """A source without pieces gives data only to the first rank, to others not even columns."""
+    """A table from a source without pieces: ranks other than the first have no columns."""
     places = [(0.1 * i, 0.05 * (i % 3)) for i in range(12)]
     steps = {z: as_table(cloud([(x, y, 0.05 * z) for x, y in places])) for z in range(2)}
     surface = make_surface(Steps(steps), 0.05, ParticleSpacing=0.15)
@@ -255,7 +255,7 @@ def morph(ranks, keeper, folder):
 
 @run
 def live(ranks, keeper, folder):
-    """Each rank pushes its own particles, one of them none at first."""
+    """Each rank passes its own particles to LiveSurface; at first rank 1 has none."""
     surface = LiveSurface(particle_spacing=0.085, voxel_size=0.1, number_of_threads=1)
     particles = splash_particles()
     for step in range(3):
@@ -270,7 +270,7 @@ def live(ranks, keeper, folder):
 
 @run
 def written(ranks, keeper, folder):
-    """A .vdb with all that is on the skin; and one that the first rank cannot write."""
+    """A .vdb with state, velocity and point arrays; then one that the first rank cannot write."""
     _, surface = make_splash(VoxelSize=0.1)
     surface.UpdateTimeStep(1)
     writer = vtkActiveVDBWriter()

@@ -24,18 +24,18 @@ LONGEST = 120
 
 
 def start(size, run, folder, longest=LONGEST):
-    """Starts a run on `size` ranks, which share the cores; with 0 without MPI."""
+    """Starts a run on `size` ranks, which share the cores; if `size` is 0, without MPI."""
     start_ranks(PROGRAM, size, [run, folder], longest)
 
 
 def state_in(file):
-    """The bytes of a .vdb but for its random number, which is 36 bytes from the 21st on."""
+    """Returns the bytes of a .vdb without its random id, 36 bytes at offset 21."""
     content = file.read_bytes()
     return content[:21] + content[57:]
 
 
 def is_running(process):
-    """One that has ended may be there still, until somebody asks how."""
+    """Returns True unless the process has ended; a zombie has ended."""
     try:
         state = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
     except FileNotFoundError:
@@ -44,7 +44,7 @@ def is_running(process):
 
 
 def has_ended(process, within):
-    """Waits `within` seconds for a process; mpiexec may end a little before its processes."""
+    """Waits up to `within` seconds for the end of a process; mpiexec may end a little earlier."""
     last = time.monotonic() + within
     while is_running(process) and time.monotonic() < last:
         time.sleep(0.1)
@@ -77,7 +77,7 @@ class Ranks(unittest.TestCase):
         )
 
     def assert_same(self, folder, size, alone, expected_folder=None):
-        """The outputs of the ranks are those of the program without MPI, nothing twice."""
+        """Checks that the ranks' outputs, joined, are those of the program without MPI."""
         expected = load(expected_folder or self.alone, alone, 1)
         kept = load(folder, alone, size)
         self.assert_no_errors(folder, alone, size)
@@ -90,7 +90,7 @@ class Ranks(unittest.TestCase):
             self.assertEqual(list(part["errors"]), [])
 
     def assert_failed(self, folder, name, size, *words):
-        """All ranks have the same error, with these words in it, and no skin."""
+        """Checks that all ranks have the same error, which contains these words, and no skin."""
         errors = [part["errors"] for part in load(folder, name + ".errors", size)]
         for own in errors:
             self.assertEqual(len(own), 1, errors)

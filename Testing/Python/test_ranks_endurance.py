@@ -1,9 +1,9 @@
 # ctest: LABELS contract long TIMEOUT 3600
-"""One filter on ranks through much: any operations, some of which one rank aborts or fails, or all
-refuse; on any number of threads. Its skins keep the bytes of a fresh filter of one process.
+"""Many operations on one filter on ranks; some abort or fail on one rank, or are refused by all.
+The skins have the bytes of a new filter in one process.
 
 Run: python3 test_ranks_endurance.py [--operations N] [--seed N]
-Each 50 operations have a seed and a number of ranks of their own, which are printed. Skipped where
+Each 50 operations have their own filter, seed and number of ranks, which are printed. Skipped where
 there is no MPI, see with_ranks. ACTIVE_RANDOM_CASES in the environment is another number of
 operations.
 """
