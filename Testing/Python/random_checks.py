@@ -248,7 +248,7 @@ class Case:
         assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
 
     def check_time(self, time):
-        """Checks the time of the skin: as requested, or a step within a millionth of an interval."""
+        """Checks the time of the skin: as requested, or a step within 1e-6 of an interval."""
         information = self.surface.GetOutput().GetInformation()
         key = self.surface.GetOutput().DATA_TIME_STEP()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
