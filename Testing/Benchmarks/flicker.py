@@ -1,6 +1,7 @@
 """Flicker of a living skin compared with the surface of each frame by itself; prints a table.
 
-The scene is a static pool of particles with a jitter of a tenth of their radius, new in each frame.
+The scene is a static pool of particles with random displacements, new in each frame, of standard
+deviation 0.1 of the kernel radius along each axis.
 A viewer should see a level that does not move. Flicker is the rms of the second difference in time
 of the surface's height over fixed columns, for
 - frame by frame: the iso-surface of each frame's particles, vtkFlyingEdges3D over
@@ -65,7 +66,7 @@ SKINS = (
 
 
 def rest():
-    """Staggered layers, so that no column has particles directly below each other."""
+    """Staggered layers, so that adjacent layers have no particles directly below each other."""
     places = [
         (i + 0.5 * (k % 2), j + 0.5 * (k % 2), k)
         for k in range(DEEP)
@@ -167,7 +168,7 @@ def splashsurf(places):
 
 
 def history(surfaces):
-    """Heights, one row for each frame."""
+    """Heights, one row for each frame from FIRST on."""
     return numpy.array([heights(surface) for surface in surfaces])[FIRST:]
 
 

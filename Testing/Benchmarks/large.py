@@ -55,7 +55,7 @@ def all_makers():
 
 
 def begin_peak():
-    """Forgets the memory that this process has had so far; bytes that it has now."""
+    """Resets the peak of this process's memory; returns the bytes that it has now."""
     Path("/proc/self/clear_refs").write_text("5")
     return peak()
 
@@ -93,7 +93,7 @@ def ask(process):
 
 
 def measure(names, particles, voxel):
-    """Number of particles, and for each maker its seconds per frame and bytes."""
+    """Number of particles, and for each maker its seconds per frame and bytes per particle."""
     lines = {name: [] for name in names}
     with contextlib.ExitStack() as stack:
         processes = {name: stack.enter_context(begin(name, particles, voxel)) for name in names}
@@ -108,7 +108,7 @@ def measure(names, particles, voxel):
 
 
 def tell(head, rows, references):
-    """references: seconds of the makers to compare each row with."""
+    """Prints rows; `references` are the seconds of the makers to compare each row with."""
     for name, (seconds, size) in rows.items():
         line = f"{head} {name:>12} {seconds:8.2f} {size:15.0f}"
         print(line + "".join(f"{theirs / seconds:17.2f}" for theirs in references), flush=True)

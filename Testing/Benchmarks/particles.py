@@ -150,7 +150,7 @@ def compare(scene, frames, factor, program, folder):
 
 
 def hold_still(factor, count=12):
-    """Repeats one frame: the first times after the start, and the last ones."""
+    """Repeats one frame; reports the three first times after the start, and the three last."""
     surface = make_skin(series_of(splash(1) * count), factor * R)
     surface.UpdateTimeStep(0)
     costs = [seconds_of(lambda step=step: surface.UpdateTimeStep(step)) for step in range(1, count)]

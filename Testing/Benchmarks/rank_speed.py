@@ -1,12 +1,12 @@
-"""Seconds a frame on ranks of MPI and on threads, over a pool of particles.
+"""Seconds per frame on ranks of MPI and on threads, over a pool of particles.
 
-Run: python3 rank_speed.py [<particles>]     (250,000 unless said)
+Run: python3 rank_speed.py [<particles>]     (default: 250000)
 
-The pool of large.py. Each rank brings the particles of a slab and has one thread. A frame is the
-time of the slowest rank until it has its piece of the skin: the median of the frames after the
-first one, and the first one, which has the start. Memory is the most that a rank has had, beyond
-what it has when the particles are made and the skin is not begun. Over more ranks than cores the
-processors are shared.
+The pool is that of large.py. Each rank provides the particles of a slab and, if there are several
+ranks, has one thread. Times are those of the slowest rank until it has its part of the skin: the
+median of the frames after the first, and the first frame, which includes the start. Memory is the
+peak of a rank, less its memory before the first skin. If there are more ranks than cores, ranks
+share cores.
 """
 
 import argparse
@@ -25,7 +25,7 @@ RUNS = [(1, 1), (1, 2), (2, 1), (4, 1), (16, 1)]  # ranks, threads
 
 
 def find_ranks():
-    """The controller, which VTK does not keep; a gathering of objects; rank, number of ranks."""
+    """Returns the controller (VTK keeps no reference), allgather, rank, number of ranks."""
     from mpi4py import MPI  # it starts MPI
     from vtkmodules.vtkParallelCore import vtkMultiProcessController
     from vtkmodules.vtkParallelMPI import vtkMPIController
@@ -38,7 +38,7 @@ def find_ranks():
 
 
 def measure(particles, threads, is_parallel):
-    """Prints seconds a frame, those of the first one, and MB."""
+    """Prints seconds per frame, seconds of the first frame, and MB."""
     controller, gather, rank, size = None, (lambda own: [own]), 0, 1
     if is_parallel:
         controller, gather, rank, size = find_ranks()

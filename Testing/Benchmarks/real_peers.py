@@ -22,7 +22,7 @@ SPLASHSURF = (
 
 
 def run(command):
-    """Runs a program; wall-clock and CPU seconds."""
+    """Runs a program; returns wall-clock and CPU seconds."""
 
     def cpu():
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -35,7 +35,7 @@ def run(command):
 
 
 def splashsurf(files, folder, radius):
-    """Meshes of a series of particles, whose names have {} for the number."""
+    """Makes meshes of a series of files, whose names have {} for the number; returns seconds."""
     folder.mkdir(exist_ok=True)
     program = Path(sysconfig.get_path("scripts")) / "pysplashsurf"
     names = ["-o", folder / "skin_{}.ply", "-r", str(radius)]

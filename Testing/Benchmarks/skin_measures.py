@@ -10,7 +10,7 @@ BIRTH_FRAMES = 8  # frames in which a new particle is observed
 
 
 def columns_of(scene, across=24):
-    """Points (x, z) more than 4 r from the walls."""
+    """Points (x, z) at least 4 r from the walls."""
     margin = 2.0 * scene.spacing
     lines = [np.linspace(margin, scene.size[axis] - margin, across) for axis in (0, 2)]
     return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -78,7 +78,7 @@ def isolated(scene):
 
 
 def splash(scene, skins, voxel):
-    """Fraction of particles kept and volume, over every fourth frame."""
+    """Fractions of particles inside, over every fourth frame; volume, over all but the first."""
     everything = kept(scene, skins, 4, lambda frame: slice(None))
     volumes = [
         skin.volume() / (len(frame[0]) * scene.spacing**3)

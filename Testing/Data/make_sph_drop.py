@@ -5,7 +5,7 @@ Run: python3 make_sph_drop.py sph_drop.npz [sph_drop.vtp]
 The .npz contains `positions` (41, 992, 3), y up, g = 9.81, and `fps`. Row k of every frame is the
 same particle: it becomes point k, with id k. Particles have radius 0.05 and start 0.1 apart.
 Positions are rounded to multiples of 2^-16, which compresses better: the file is within 2^-17 =
-7.7e-6 of the simulation on each axis, 1/6500 of a radius.
+7.6e-6 of the simulation on each axis, 1/6500 of a radius.
 
 VTK's reader publishes the steps as 0, 1, 2 ..., whatever their times. There are no vertex cells,
 because the reader (VTK 9.1) appends a temporal file's cells to those of the previous step. To

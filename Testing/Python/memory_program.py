@@ -25,7 +25,7 @@ def limit_memory(more):
 
 def fill_memory(room):
     """Takes all memory but the given number of bytes, in blocks of 512 bytes: also the memory that
-    the program has freed before. Returns the blocks, as pairs of a block and the blocks before."""
+    the program has freed before. Returns the blocks as a linked list."""
     blocks = None
     try:
         while True:

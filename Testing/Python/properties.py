@@ -53,7 +53,7 @@ def other_values(row):
 
 
 def needed_values(row):
-    """Values of other properties, by name, without which one of the filter has no effect."""
+    """Values of other properties, by name, without which this property has no effect."""
     own, found = next(own for own in keywords.every() if own.name == row.name), {}
     for facts in effects.rows_of(own):
         keyword, _, word = facts.split()[0].partition("=")

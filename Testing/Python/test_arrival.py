@@ -109,7 +109,7 @@ class ItArrives(unittest.TestCase):
             self.assertAlmostEqual(radii.mean(), (core + 0.35) / 2, delta=VOXEL)
 
     def test_the_velocity_is_what_is_left_over_the_time_that_is_left(self):
-        """Speed of a ball that grows by 0.3 in the time. K is accurate to a voxel."""
+        """Speed of a ball that grows by 0.3 in the time. Distances are accurate to a voxel."""
         surface = make_surface(InitialFunction=ball(0.3), ComputeVelocity=1)
         surface.SetTargetFunction(ball(0.6))
         surface.UpdateTimeStep(0.0)

@@ -103,9 +103,9 @@ class Endurance(unittest.TestCase):
         self.go_round(surface, push)
 
     def go_round(self, surface, show):
-        """Each loop gives the same bytes, and memory stays constant. The allocators may or may
-        not return pages, depending on the timing of threads. The least of the last three loops
-        may be 1 % above the most of the third to the fifth."""
+        """The first and the last loop give the same bytes, and memory stays constant. The
+        allocators may or may not return pages, depending on the timing of threads. The least of
+        the last three loops may be 1 % above the most of the third to the fifth."""
         first, pages = [], []
         loops = max(9, COUNT // STEPS)
         for loop in range(loops):

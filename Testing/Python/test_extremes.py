@@ -160,7 +160,7 @@ class Case(unittest.TestCase):
 
 
 class OfTheSurface(Case):
-    """Each property of the filter, and those of a scene again in that scene."""
+    """Each property of the filter in one scene, and some again in scenes where they matter."""
 
     def go_through(self, make, names):
         self.reference = make()

@@ -153,7 +153,7 @@ class Images(CommandTest):
         self.put(name, head.encode() + b"\n" + values.astype("<f8").tobytes())
 
     def test_inside_is_what_the_border_is_not(self):
-        """A mask of fractions, and densities with a level, treated as a level set."""
+        """Masks of 0 and 1 and of -1 and 1, a density and a shifted distance with a level."""
         inside = self.flat < 0
         volume = abs(measure(self.contour("a.nrrd"))["volume"])
         for values, level in (

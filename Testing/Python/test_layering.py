@@ -103,7 +103,7 @@ def reached_by_test(root, test):
 
 
 def find_arrows(root):
-    """Unit: the units that it includes."""
+    """Returns for each unit the units that it includes."""
     arrows = defaultdict(set)
     for path in sources_in(root / "Filters"):
         unit = unit_of(root, path)
@@ -116,7 +116,10 @@ def find_arrows(root):
 
 
 def find_floors(arrows):
-    """Unit: its floor, above all units that it includes. Raises ValueError for a cycle."""
+    """Returns for each unit its floor, above all units that it includes.
+
+    Raises ValueError for a cycle.
+    """
     floors, open_units = {}, []
 
     def floor(unit):

@@ -119,7 +119,7 @@ class Truths(unittest.TestCase):
         self.assertLess(errors[1], errors[0] / 3)
 
     def test_a_block_that_moves_keeps_its_shape_and_its_place(self):
-        """3.3 voxels a frame: the lag is less than the attraction leaves, e^-6 of that distance."""
+        """The block moves by 3.3 voxels per frame; the lag is less than a twentieth of a voxel."""
         way = 3.3 * R
         surface = skin_of(lambda t: (block(6) + (way * t, 0, 0), range(216)))
         first = at(surface, 0)

@@ -26,8 +26,8 @@ TOLERANCE = 1e-4
 
 
 def numbers_of(skin):
-    """Measures of a skin. Its Euler number: a closed surface has triangles of 3 sides, each
-    shared by two."""
+    """Measures of a skin. Euler number: each triangle of a closed surface has three edges,
+    and two triangles share an edge."""
     properties = vtkMassProperties()
     properties.SetInputData(skin)
     return {

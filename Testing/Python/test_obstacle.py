@@ -112,7 +112,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
         self.assertLess(distances.min(), radius + VOXEL, "it touches it")
 
     def test_tension_does_not_creep_through(self):
-        """A drop on the ground, flattened against it from both sides, in all models of motion."""
+        """A drop that the ground cuts, under tension, with several settings of the motion."""
         for properties in ({}, {"PaperScheme": 1}, {"VolumeControl": 1}, {"AreaControl": 1}):
             with self.subTest(**properties):
                 surface = make_surface(ground(), Attraction=0, Tension=0.05, **properties)

@@ -1,6 +1,6 @@
 # ctest: LABELS acceptance
 """The history's Outside equals "outside by more than r" of Testing/Benchmarks/quality.py. For an
-inverted target it is the fraction of the space around the points.
+inverted target, Outside is the fraction of the space around the points.
 
 Run: python3 test_outside.py
 """
@@ -27,7 +27,7 @@ ROUNDING = 1e-4 * VOXEL  # of the mesh's points, in single precision, with a mar
 
 
 def measure(attraction):
-    """For each of the first steps: Outside, the same fraction by quality.py, and that of ties."""
+    """For each of the first steps: Outside, the same by quality.py, and the fraction of ties."""
     particles, surface = splash()
     surface.SetAttraction(attraction)
     surface.CreatePartsOff()

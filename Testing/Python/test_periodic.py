@@ -175,7 +175,7 @@ class Water(unittest.TestCase):
             numpy.testing.assert_array_equal(points_of(skin_at(again, 3)), wanted)
 
     def test_the_sides_may_be_cut_open(self):
-        """By a box a hundredth of a voxel smaller (Filters/inputs.md)."""
+        """The skin is clipped by a box a hundredth of a voxel smaller (Filters/inputs.md)."""
         surface = surface_over([wrapped(water(0))])
         less, closed = 0.01 * VOXEL, skin_at(surface, 0)
         box, clip = vtkBox(), vtkClipPolyData()

@@ -64,7 +64,7 @@ class Balls(unittest.TestCase):
         self.check([1.0, 0.6, 0.3, 0.15], 0.1, share=0.05)
 
     def test_balls_that_overlap(self):
-        """The skin lies far outside the balls, as for a fluid eight times as dense. It is not
+        """The skin lies far outside the balls, as for a fluid eight times as dense, and is not
         cut."""
         spread = numpy.arange(4)
         centers = numpy.stack([0.1 * spread, 0.05 * (spread % 3), 0 * spread], -1)
@@ -124,7 +124,7 @@ class Grains(unittest.TestCase):
             self.assertAlmostEqual(measure(skin)["volume"] / self.wanted, 1000, delta=30)
 
     def test_those_apart_stay_apart(self):
-        """Gaps are 0.4 of the radius, a voxel and a quarter."""
+        """Gaps are 0.4 of the radius, 1.2 voxels."""
         skin = active.skin(self.lattice(5, 1.2), preset="grains", radii=numpy.full(125, 0.5))
         self.assertEqual(measure(skin)["pieces"], 125)
 

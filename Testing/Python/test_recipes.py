@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""The recipes of CONTRIBUTING.md: each names the files in which such a thing stands, and no other
-file has to know it. A property is in no list of the tests.
+"""Each recipe of CONTRIBUTING.md names all files that have to know a new thing. Tests by rules do not
+list the properties.
 
 Run: python3 test_recipes.py
 """

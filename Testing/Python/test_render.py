@@ -142,7 +142,7 @@ def project(places, parallel):
 
 
 def hits(parallel):
-    """Depth of the ball in each pixel (NaN for a miss), and steepness."""
+    """Depth, position and normal of the ball in each pixel (NaN for a miss), and steepness."""
     origins, directions = rays(parallel)
     a = (directions**2).sum(1)
     b = ((origins - CENTER) * directions).sum(1)

@@ -184,8 +184,8 @@ CASES = {
 
 
 def cases_of(row):
-    """(scene, another value) of a property: over particles for those of particles, else a morph;
-    with the values of others that it needs."""
+    """(scene, another value) for a property: particles for the group Particles, else a morph,
+    with the values of other properties that the property needs."""
     if row.name in CASES:
         return CASES[row.name]
     plain = particles if row.group == "Particles" else morph
