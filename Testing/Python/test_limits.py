@@ -89,8 +89,8 @@ class Crowds(unittest.TestCase):
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
 
     def test_doubled_particles_are_usual(self):
-        """Each particle occurs twice; the particles are so many that the filter searches a
-        sample for clusters."""
+        """Each particle occurs twice. Above 30,000 particles the filter searches a sample for
+        clusters."""
         ticks = numpy.arange(26) * SPACING
         grid = numpy.stack(numpy.meshgrid(ticks, ticks, ticks), axis=-1).reshape(-1, 3)
         surface = surface_over(

@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""Each recipe of CONTRIBUTING.md names all files that have to know a new thing. Tests by rules do not
-list the properties.
+"""Each recipe of CONTRIBUTING.md names all files that have to know a new thing. Tests by rules do
+not list the properties.
 
 Run: python3 test_recipes.py
 """
