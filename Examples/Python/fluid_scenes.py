@@ -3,8 +3,9 @@
     scene = load_scene("fountain", "folder")      # made once, then read from folder/fountain.npz
     for positions, velocities, ids in scene.frames:
 
-Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3; the box has
-its corner at the origin, the size scene.size, and is open above. The scenes:
+Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3. The box has
+its corner at the origin, the size scene.size, and is open above; sheet and ball extend beyond.
+The scenes:
 
     pool      still, ten layers deep; scene.drops are the ids of the particles of twelve drops
               above it, single particles and pairs, of which half stand still and half fall

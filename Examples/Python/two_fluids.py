@@ -1,10 +1,10 @@
 """Two fluids in a box, a heavy one under a light one, whose skins share the surface between them.
 
 The skin of the heavy fluid follows its particles from frame to frame, and is the obstacle of the
-light fluid's skin: no point of the light skin is inside the heavy skin. A change of an obstacle
-restarts the motion, so each frame of the light skin is independent of the frame before, and the
-light skin flickers more than the heavy one. Where both skins meet air or a wall their edges are
-round, with a groove between them.
+light fluid's skin: no point of the light skin is deeper than 0.2 voxel in the heavy skin. A change
+of an obstacle restarts the motion, so each frame of the light skin is independent of the frame
+before, and the light skin flickers more than the heavy skin. Where both skins meet air or a wall,
+their edges are round, with a groove between them.
 
 Particles of the two fluids have to stay apart: fluids that mix have no surface between them.
 

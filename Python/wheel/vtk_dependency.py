@@ -1,4 +1,4 @@
-"""Dependency of a wheel on the VTK that it is built with: ACTIVE_VTK of pyproject.toml.
+"""Dependency of a wheel on its VTK, which the environment's ACTIVE_VTK chooses (pyproject.toml).
 
 Called by scikit-build-core when it writes the wheel's metadata.
 """
