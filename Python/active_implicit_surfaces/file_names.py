@@ -45,7 +45,10 @@ class Listing(NamedTuple):
 
 
 def natural_key(name: str | Path, numbers: re.Pattern[str] | None = None) -> list[Any]:
-    """Returns a sort key that compares numbers, with sign, decimals and exponent, by value."""
+    """Returns a sort key that compares numbers, with decimals and exponent, by value.
+
+    `numbers` finds the numbers; without this pattern, a minus after a letter is a hyphen.
+    """
     parts = (numbers or _numbers_in([str(name)])).split(str(name))
     return [_value(part) if i % 2 else part for i, part in enumerate(parts)]
 
@@ -270,7 +273,7 @@ def has_number(name: str | Path) -> bool:
 def numbered(name: str | Path, number: int) -> Path:
     """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    ## stands for at least two digits. Without a placeholder, skin.ply becomes skin_0007.ply.
+    A minus counts as a digit. ## stands for at least two digits. Without a placeholder, skin.ply becomes skin_0007.ply.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)
