@@ -273,7 +273,8 @@ def has_number(name: str | Path) -> bool:
 def numbered(name: str | Path, number: int) -> Path:
     """Returns the name of a frame: the number, with at least four digits, replaces ####.
 
-    A minus counts as a digit. ## stands for at least two digits. Without a placeholder, skin.ply becomes skin_0007.ply.
+    A minus counts as a digit. ## stands for at least two digits. Without a placeholder, skin.ply
+    becomes skin_0007.ply.
     """
     path = Path(name)
     mark = _NUMBER.search(path.name)

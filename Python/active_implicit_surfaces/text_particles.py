@@ -69,7 +69,7 @@ def read_xyz(path: Path) -> Frames:
 
 
 def read_json(path: Path) -> Frames:
-    """Reads a list of positions, an object of arrays, or a list of objects with x, y and z each."""
+    """Reads a list of positions, an object of arrays, or a list with an object per particle."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list) and data and all(isinstance(row, dict) for row in data):
         data = {name: [row.get(name) for row in data] for name in data[0]}  # one row per dictionary
