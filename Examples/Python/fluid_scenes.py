@@ -159,7 +159,7 @@ def splash(size_of=20000, count=26):
 
 
 def dam(count=30, across=12, high=40):
-    """The box is three times as long as the column; water rises along the wall at its end."""
+    """The box is three times as long as the column; the water rises along the opposite wall."""
     fluid = Fluid(SPACING, (60 * SPACING, 2 * high * SPACING, across * SPACING), 3.0)
     column = lattice((0, 0, 0), (20 * SPACING, high * SPACING, across * SPACING), SPACING)
     fluid.add(shaken(column, 0.1 * SPACING, 6), (0.0, 0.0, 0.0))

@@ -55,7 +55,7 @@ def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
 
 
 def _check_size(reader: Any, size: int) -> None:
-    """Raises ValueError if the header is invalid, or describes more values than `size` [bytes]."""
+    """Raises ValueError if the header is invalid, or describes more than `size` [bytes]."""
     with quiet() as said:
         reader.UpdateInformation()
     if said.errors:

@@ -80,7 +80,8 @@ class LiveSurface:
             See `skin`. Arrays are not copied, but may be overwritten for the next call.
         dt : float
             Time since the last call [time], more than 0 and finite. The first skin is at `start`,
-            or at the time of `resume`, whatever the first dt; a preset's rates follow from it.
+            or at the time of `resume`, whatever the first dt; a preset derives its rates from the
+            first dt.
         **arrays
             Point arrays: ``ids=``, ``velocities=``, or any name.
 

@@ -166,7 +166,7 @@ def _count_of(frames: Any) -> int:
 
 
 def _prepared(shape: Any, which: str, has_usual_level: bool) -> Any:
-    """Returns the function, mesh or image, or a level set of an image with a usual level.
+    """Returns a function, mesh or image; an image as a level set if `has_usual_level` is true.
 
     Errors name the shape.
     """
