@@ -12,9 +12,10 @@ FRAMES_PER_SECOND = 25.0  # default without other information
 def check_times(times: Iterable[float]) -> list[float]:
     """Returns the times as a list.
 
-    Raises ValueError if there are no times, or the times are not finite or do not increase.
+    Raises TypeError if the times are no numbers; ValueError if there are no times, or the times are
+    not finite or do not increase.
     """
-    own = [float(time) for time in times]
+    own = _numbers_in(times)
     if not own:
         raise ValueError("There are no frames or no times; give at least one frame.")
     do_increase = all(after > before for before, after in zip(own, own[1:]))
@@ -38,16 +39,20 @@ def check_number(name: str, value: Any) -> None:
 
 def one_for_each(times: Any, count: int) -> list[float]:
     """Returns given times as a list; raises an error unless they are `count` numbers."""
-    try:
-        own = [float(time) for time in times]
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"times has to be a sequence of numbers, not {times!r}.") from error
+    own = _numbers_in(times)
     if len(own) != count:
         raise ValueError(
             f"The number of times is {len(own)}, but that of frames is {count}; give one time for "
             "each frame."
         )
     return own
+
+
+def _numbers_in(times: Any) -> list[float]:
+    try:
+        return [float(time) for time in times]
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"times has to be a sequence of numbers, not {times!r}.") from error
 
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:

@@ -276,6 +276,9 @@ class Series(unittest.TestCase):
             active.ParticleSeries(moving_grid(2), fps=0)
         with self.assertRaisesRegex(TypeError, "needs `times`"):
             active.frames(lambda time: grid())
+        for series in (lambda time: grid(), moving_grid(2)):
+            with self.assertRaisesRegex(TypeError, "sequence of numbers"):
+                active.frames(series, times=["0", "one"])
         with self.assertRaisesRegex(TypeError, "not 'colors'"):
             active.frames(moving_grid(2), arrays={"colors": "c"})
         with self.assertRaisesRegex(ValueError, "give one"):
