@@ -86,7 +86,7 @@ SavedState ReadState(const std::string& file)
   {
     throw std::runtime_error("No state of a surface can be loaded from " + file + ": " +
       ReasonOf(error) +
-      ". Load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
+      "; load a file that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }
 
