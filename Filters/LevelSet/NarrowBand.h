@@ -69,8 +69,8 @@ public:
 
   /**
    * Extends the potential beyond the band by ghosts, unless the band has ghosts. After a frame of
-   * the node scheme without an exact control, the potential ends at 3 voxels. Advance calls this
-   * function before explicit substeps.
+   * the node scheme without an exact control, the potential ends at 3 voxels. Motions by explicit
+   * substeps begin with the same extension.
    */
   void AddGhosts();
   bool HasGhosts() const;
@@ -157,10 +157,11 @@ public:
   void RestoreTargets(const Motion& motion);
 
   /**
-   * Moves the surface until `time`; the last substep ends exactly at `time`. If `progress` cancels
-   * the motion, the surface stays at the time of the last finished substep. Throws
-   * std::invalid_argument for a time before the current time, or an invalid motion. If the target
-   * throws, the potential and GetTime() are those after the last finished substep.
+   * Moves the surface until `time`. The last substep ends exactly at `time`, unless the surface
+   * vanishes before. If `progress` cancels the motion, the surface stays at the time of the last
+   * finished substep. Throws std::invalid_argument for a time before the current time, or an invalid
+   * motion. If the target throws, the potential and GetTime() are those after the last finished
+   * substep.
    */
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
@@ -177,7 +178,7 @@ public:
     Target& target, const ProgressFunction& progress = {});
 
   ///@{
-  /** Sums of the counts in the reports since the last Start, StartOnNodes or ForgetWork, and the
+  /** Sums of the counts in the reports since the last start (of any kind) or ForgetWork, and the
    * largest MaxSpeed. Substeps before an exception in Advance are included. Clone copies this
    * report. */
   const AdvanceReport& GetWork() const;

@@ -1,4 +1,4 @@
-/** In place of a property's value: the program chooses the value. */
+/** Value of a property with the meaning: the program chooses the value. */
 #ifndef Automatic_h
 #define Automatic_h
 

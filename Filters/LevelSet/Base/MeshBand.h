@@ -1,6 +1,6 @@
 /**
- * Distances of nodes to nearby triangles, by OpenVDB's converter. Only this library compiles the
- * converter, because its compilation needs half a minute.
+ * Distances of nodes to nearby triangles, by OpenVDB's converter. Of the product's libraries, only
+ * this one compiles the converter, because the compilation needs half a minute.
  */
 #ifndef MeshBand_h
 #define MeshBand_h

@@ -135,7 +135,8 @@ struct Motion
 
   /**
    * Obstacle that the surface may not enter, owned by the caller; null: none. The obstacle is
-   * sampled in the leaves of the band; by the node scheme, in the leaves near the target's surface.
+   * sampled in the leaves of the band; by the node scheme, in the leaves near the target's surface,
+   * and in leaves inside the target near walls or obstacle.
    */
   Obstacle* Solid = nullptr;
 

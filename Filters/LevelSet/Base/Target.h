@@ -15,7 +15,8 @@ namespace activesurface
 /** Results of a target at some points. */
 struct TargetResults
 {
-  /** F - iso, negative inside the target. A value that is not finite drops the sample point. */
+  /** F - iso, negative inside the target. A value that is not finite in single precision drops the
+   * sample point. */
   double* Values = nullptr;
   /** Upper bounds of the target slope |dF/dn|, which limits the time step. The slope is 1 for a
    * distance, and 0 where F is constant. */

@@ -1,6 +1,7 @@
 /**
- * The tension term, -Tension kappa, in all schemes: its kernels, its limit of the time step, its
- * effect on small balls, and its automatic value. kappa is the sum of the principal curvatures.
+ * The tension term, -Tension kappa: its kernels in all schemes, its limit of the front scheme's time
+ * step, its effect on small balls, and its automatic values. kappa is the sum of the principal
+ * curvatures.
  */
 #ifndef Tension_h
 #define Tension_h

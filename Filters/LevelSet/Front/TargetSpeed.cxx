@@ -164,7 +164,8 @@ private:
     const LeafMask After;
   };
 
-  /** Plain mean of the known neighbours, for nodes without a neighbour nearer to the surface. */
+  /** Plain mean of the known neighbours, for nodes without a known neighbour nearer to the surface.
+   */
   float FindMean(int node) const
   {
     float sum = 0.f, count = 0.f;

@@ -39,7 +39,7 @@ double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty);
 
 /** The coefficient q of reinitialisation. tracking: TrackingRate * step; advection: largest
- * displacement in the step [voxels]. */
+ * displacement in the step without tension [voxels]. */
 double RelaxationFor(double tracking, double advection);
 
 /** Throws std::invalid_argument for invalid parameters. */

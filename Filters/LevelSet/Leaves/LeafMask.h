@@ -3,7 +3,7 @@
  *
  * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, as in OpenVDB. A mask is
  * shifted by some nodes together with the mask of the neighbour leaf, which supplies the missing
- * planes. A few dozen word operations dilate, compare or count a whole leaf.
+ * planes. Each operation on a word treats 64 nodes at once.
  */
 #ifndef LeafMask_h
 #define LeafMask_h

@@ -33,8 +33,8 @@ constexpr std::int32_t NoLeafInside = -2;
  * scheme has PaperThreshold instead. */
 constexpr float Far = 1000.f;
 
-/** Numbers of leaves. The lists of a LeafTable and of an ActiveSet are ascending, except
- * FindTreeOrder. */
+/** Numbers of leaves. The lists of a LeafTable and of an ActiveSet are ascending, except the result
+ * of FindTreeOrder. */
 using LeafList = std::vector<std::int32_t>;
 
 constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 ghosts

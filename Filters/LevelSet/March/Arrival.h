@@ -1,6 +1,5 @@
 /**
- * A metamorphosis that arrives on time: the surface reaches a static target at a given time,
- * everywhere and from any start.
+ * A metamorphosis that arrives on time: the whole surface reaches a static target at a given time.
  *
  * The speed at a point of the surface is the remaining distance over the remaining time: V = -F /
  * (end - t), where F is the distance to the target. In a part that is longer than thick, F is the
@@ -26,10 +25,11 @@ struct SkinForces;
 
 /**
  * Creates a small core for each part and each hollow of the target that the surface does not reach,
- * or meets only in a region too thin to grow from. Call before the first Advance. Returns the
- * number of created parts and hollows; 0 if too many nodes differ (DifferingNodes.h). Parts that
- * the target does not report are searched for on a lattice of at most 64 cells along an axis.
- * bounds: box of all searches (xmin xmax ymin ymax zmin zmax).
+ * or meets only in a region too thin to grow from. Exception: a hollow gets no core if the core
+ * would be narrow for the motion's Tension and Attraction (NewParts.h). Call before the first
+ * Advance. Returns the number of created parts and hollows; 0 if too many nodes differ
+ * (DifferingNodes.h). Parts that the target does not report are searched for on a lattice of at
+ * most 64 cells along an axis. bounds: box of all searches (xmin xmax ymin ymax zmin zmax).
  */
 ACTIVELEVELSET_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);

@@ -59,8 +59,9 @@ public:
       });
   }
 
-  /** Returns true if all six neighbours of y = node i differ on the same side. Then y is not at the
-   * target, but in the middle of a vanishing part, where the surface arrives from all sides. */
+  /** Returns true if all six neighbours of y = node i differ on the same side. If y is also the end
+   * of a path, y is not at the target, but in the middle of a vanishing part or hollow, where the
+   * surface arrives from all sides. */
   bool IsCore(std::int32_t i) const
   {
     const std::array<std::int32_t, 6>& around = this->Neighbours[i];

@@ -1,5 +1,6 @@
 /**
- * Builds the potential of new shapes from their inside nodes and a function nearby.
+ * Builds the potential of new shapes from their inside nodes and the values of a function in the
+ * layers.
  */
 #ifndef PartBand_h
 #define PartBand_h
