@@ -159,9 +159,9 @@ public:
   /**
    * Moves the surface until `time`. The last substep ends exactly at `time`, unless the surface
    * vanishes before. If `progress` cancels the motion, the surface stays at the time of the last
-   * finished substep. Throws std::invalid_argument for a time before the current time, or an invalid
-   * motion. If the target throws, the potential and GetTime() are those after the last finished
-   * substep.
+   * finished substep. Throws std::invalid_argument for a time before the current time, or an
+   * invalid motion. If the target throws, the potential and GetTime() are those after the last
+   * finished substep.
    */
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});

@@ -12,8 +12,8 @@
 namespace activesurface
 {
 
-/** Returns u = phi / VoxelSize. Layers 0 to 2 and pockets (NarrowBand.h) are active; the other nodes
- * of layers 3 and 4 are inactive nodes of leaves. */
+/** Returns u = phi / VoxelSize. Layers 0 to 2 and pockets (NarrowBand.h) are active; the other
+ * nodes of layers 3 and 4 are inactive nodes of leaves. */
 ACTIVELEVELSET_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand& band);
 
 ///@{

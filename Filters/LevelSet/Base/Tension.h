@@ -1,6 +1,6 @@
 /**
- * The tension term, -Tension kappa: its kernels in all schemes, its limit of the front scheme's time
- * step, its effect on small balls, and its automatic values. kappa is the sum of the principal
+ * The tension term, -Tension kappa: its kernels in all schemes, its limit of the front scheme's
+ * time step, its effect on small balls, and its automatic values. kappa is the sum of the principal
  * curvatures.
  */
 #ifndef Tension_h

@@ -1,7 +1,7 @@
 /**
  * Restores area or volume after each substep, or frame of the node scheme, by a uniform
  * displacement along the normal. The displacement is a projection: unlike a penalty, it has no
- * stiffness and leaves no deficit.
+ * stiffness, and leaves no deficit within the limits of RestoreVolume.
  */
 #ifndef ExactControl_h
 #define ExactControl_h

@@ -2,12 +2,12 @@
  * The target's speed at every active node, from the sample points (section 4.3 of the paper, see
  * NarrowBand.h; corrected).
  *
- * With TargetEvaluation::Shifted, the speed of a node with crossed edges is the mean over the sample
- * points of these edges, weighted by 1/t^2. Here t is the fraction of the edge from the node to the
- * crossing. If F is linear, and the surface is a plane that crosses an edge of the node on each
- * axis, the mean is F at the closest point of the plane. In the paper's scheme all weights are 1,
- * and speeds are not extended. Otherwise sweeps extend the speed from nodes with crossed edges to
- * nodes farther from the surface. An extended speed is the mean over the neighbours with known
+ * With TargetEvaluation::Shifted, the speed of a node with crossed edges is the mean over the
+ * sample points of these edges, weighted by 1/t^2. Here t is the fraction of the edge from the node
+ * to the crossing. If F is linear, and the surface is a plane that crosses an edge of the node on
+ * each axis, the mean is F at the closest point of the plane. In the paper's scheme all weights are
+ * 1, and speeds are not extended. Otherwise sweeps extend the speed from nodes with crossed edges
+ * to nodes farther from the surface. An extended speed is the mean over the neighbours with known
  * speeds, with the weight max(|u| - |u_n|, 0) for the neighbour n, or the plain mean if all weights
  * are 0.
  */

@@ -12,9 +12,9 @@
  * K / (remaining time) the front in a thin part of the target stays flat across the part, and all
  * points of the surface arrive at once.
  *
- * Exception: K is d(x,y) if y is in the middle of a vanishing part or hollow and d(x,y) <= 1.1 (T(y)
- * - T(x)); the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump, which would
- * grow unless x moved farther than its neighbours.
+ * Exception: if y is in the middle of a vanishing part or hollow, K is d(x,y) where d(x,y) <= 1.1
+ * (T(y) - T(x)); the exception fades out up to 1.3 (T(y) - T(x)). Such a point x is on a bump,
+ * which would grow unless x moved farther than its neighbours.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h

@@ -17,8 +17,8 @@ namespace
 {
 
 /** A leaf without noticeable displacement (LeafMotion::IsStill) stays bitwise identical if u
- * changes by at most RestingChange * StageCoefficients::Decay [voxels] in layers 0 and 1, and within
- * a voxel of the new skin. */
+ * changes by at most RestingChange * StageCoefficients::Decay [voxels] in layers 0 and 1, and
+ * within a voxel of the new skin. */
 constexpr float RestingChange = 3e-4f;
 
 /** Attraction * duration for which tension acts on a skin with NodeFreedom. */
