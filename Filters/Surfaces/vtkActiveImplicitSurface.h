@@ -16,9 +16,11 @@
  * reduces. kappa is the sum of the principal curvatures, n the outward normal, v the velocity of
  * the target's particles. A and V are the skin's area and volume; A0 and V0 are TargetArea and
  * TargetVolume, or A and V at the start. Both stiffness terms need PENALTY controls.
- * Exception: over masks without explicit substeps (TimeIntegration), the skin is the smoothed mask.
+ * Exceptions without explicit substeps (TimeIntegration): over masks, the skin is the smoothed
+ * mask; over static particles, the skin stays as it starts.
  *
- * A change of a property restarts the motion, unless the property's comment says otherwise. -1 is
+ * A change of a property restarts the motion, unless the property's comment says otherwise.
+ * StartTime, TimeStepSize and NumberOfTimeSteps do so only if they determine the time steps. -1 is
  * the automatic value of some properties; Get...InUse returns the value in use.
  *
  * @par Input 0 (optional): target
@@ -51,7 +53,8 @@
  *   Without ids, indices match if both steps have equally many points, and no reordering is
  *   noticed. Between two steps, a particle without a match fades out or in.
  * - Skeletons, meshes and images are blended: F = (1 - f) F0 + f F1 at a fraction f of the
- *   interval. A part of only F0 shrinks. Except in skeletons, CreateParts grows parts of only F1.
+ *   interval. A part that only F0 has shrinks. Except in skeletons, CreateParts grows parts that
+ *   only F1 has.
  * - At a step without points or mesh cells there is no target: the skin shrinks or vanishes.
  *
  * @par Output 0: skin, a closed vtkPolyData of outward triangles (on several ranks, a part each)
@@ -65,8 +68,8 @@
  * @par Output 1: potential, a vtkImageData
  * - The scalars "Potential" are a signed distance [length], negative inside, accurate within about
  *   1.5 voxels of the skin, and clamped to +-3 voxels.
- * - The extent, in nodes, covers ModelBounds, and crops the image, not the skin. With ModelBounds
- *   unset, the extent may be empty before the first update.
+ * - The extent [nodes] covers ModelBounds; the skin may leave the image. With ModelBounds unset,
+ *   the extent may be empty before the first update.
  *
  * @par Output 2: history, a vtkTable, one row per time step so far (EQUILIBRIUM: start and end)
  *   | Column              | Unit          | Meaning                           |
@@ -84,8 +87,8 @@
  *
  * - Outside: fraction of the target outside the skin, 0 to 1; the target beyond walls or in the
  *   obstacle is ignored. Particles and points of skeletons count if outside by more than their own
- *   radius. Over other targets, sampled points of the inside count if more than a voxel outside. A
- *   value above 1 % can cause one warning.
+ *   radius. Over other targets, and with InvertTarget, sampled points of the inside count if more
+ *   than a voxel outside. A value above 1 % can cause one warning.
  * - Event: changes of the skin's parts since the row before: "merge", "split", "vanish", "birth",
  *   "void opens", "void closes", "hole opens", "hole closes". With EQUILIBRIUM: "at rest", "at rest
  *   but for x %" (x % of the skin oscillates), or "not at rest".
@@ -104,13 +107,14 @@
  *   the requested times. Advance adds single frames.
  *
  * @par Reproducibility
- * - The skin is bitwise identical for the same time, inputs and properties, for any order of
- *   requests and any number of threads and ranks.
+ * - The skin is bitwise identical for the same time, time steps, inputs and properties, for any
+ *   order of requests and any number of threads and ranks.
  * - On one process, piece 0 of several pieces has the whole skin and history; the image is split.
  *
  * @par Errors
- * - Errors empty the outputs. The next update resumes the motion (after lack of memory or an
- *   invalid property: restarts it).
+ * - Errors of this filter empty the outputs. If the input fails before the filter executes, a
+ *   filter of one process keeps the outputs of the last update.
+ * - The next update resumes the motion (after lack of memory or an invalid property: restarts it).
  * - A vanished skin is valid: empty output and one warning.
  */
 
@@ -309,9 +313,9 @@ public:
   /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] that the potential's image covers. The first
    * skin ends at this box, unless its shape is particles or masks without explicit substeps (or
    * with those of a low Attraction); later skins may leave the box. Set ModelBounds for functions
-   * other than vtkSkeletonPotential and vtkGridPotential. Range: finite, min < max on each axis, or
-   * unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's target and of the
-   * initial shape, with a margin. */
+   * other than vtkSkeletonPotential and vtkGridPotential without transform. Range: finite, min <
+   * max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1), the box of the first step's
+   * target and of the initial shape, with a margin. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
@@ -341,10 +345,10 @@ public:
    * to the speed. Tension smooths the skin, and shrinks small parts: in a target of distances, such
    * as a mesh, balls with a radius below 2.83 sqrt(Tension / Attraction) vanish. The number of
    * explicit substeps rises with Tension / VoxelSize^2. Over moving particles with automatic
-   * Attraction, the first frame ignores a given Tension, with a warning. Range: >= 0, or -1,
-   * automatic: Attraction * r^2 / 2 over particles of spacing 2 r (SUM, or TensionWeighting off:
-   * 0), Attraction * p^2 / 5 over masks of shortest pixel side p; 0 for other targets and in
-   * explicit substeps. Default: -1. */
+   * Attraction, the first frame ignores a given Tension, with a warning unless substeps are
+   * explicit. Range: >= 0, or -1, automatic: Attraction * r^2 / 2 over particles of spacing 2 r
+   * (SUM, or TensionWeighting off: 0), Attraction * p^2 / 5 over masks of shortest pixel side p; 0
+   * for other targets and in explicit substeps. Default: -1. */
   vtkSetClampMacro(Tension, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
   ///@}
@@ -407,7 +411,8 @@ public:
 
   ///@{
   /** Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Above 0,
-   * the motion also ends if only an oscillation remains. Range: >= 0. Default: 0.001. */
+   * the motion also ends if only an oscillation remains (not with Attraction 0). Range: >= 0.
+   * Default: 0.001. */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);
   ///@}
@@ -725,7 +730,8 @@ public:
   void PaperFaithful();
 
   ///@{
-  /** Numbers of target evaluations and substeps since New or ResetCounters. */
+  /** Numbers of target evaluations and substeps of motions since New or ResetCounters. Starts and
+   * outputs are not counted. */
   vtkIdType GetTargetEvaluations();
   vtkIdType GetSubsteps();
   void ResetCounters();
@@ -733,7 +739,8 @@ public:
 
   ///@{
   /** Values in use of properties that may be automatic (-1). 0: not used by a motion, or not known
-   * yet. Other values may be without effect, as ParticleSpacing over functions. */
+   * yet. Other values may be without effect, as ParticleSpacing over functions, and Attraction 1
+   * before the second frame of Advance. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
   double GetKernelRadiusInUse();
