@@ -54,7 +54,7 @@ public:
   /**
    * Name of the file or series. The number of the time step replaces the last run of #, with at
    * least as many digits, else %d or %04d. Without these, WriteAllTimeSteps puts a number of four
-   * digits before the extension, name.0007.vdb. Default: none, which is an error.
+   * or more digits before the extension, name.0007.vdb. Default: none, which is an error.
    */
   void SetFileName(const char* name);
   const char* GetFileName() const { return this->FileName.c_str(); }
@@ -92,7 +92,7 @@ public:
   ///@{
   /**
    * Adds the grid "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels.
-   * An error with an image. Default: off.
+   * An error with an image other than a vtkActiveImplicitSurface's output. Default: off.
    */
   vtkSetMacro(WriteDensity, vtkTypeBool);
   vtkGetMacro(WriteDensity, vtkTypeBool);
@@ -115,8 +115,8 @@ public:
    * Adds a grid, named after the array, for each point array of one or three components. Grids of a
    * surface have values near the skin: floating-point numbers are interpolated at the skin's
    * nearest point; integers are those of the corner with the largest weight in this interpolation.
-   * Vectors of integers beyond int32 become double and are interpolated. Grids of an image have all
-   * values. Arrays of another number of components are an error. Default: off.
+   * Vectors of integers beyond int32 become double and are interpolated. Grids of an image have the
+   * values of all points. Arrays of another number of components are an error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);

@@ -30,8 +30,8 @@ int CountBitsOf(const std::uint64_t* words, int count)
   return bits;
 }
 
-/** Entries (width) and voxels (reach) along a side of a node. Levels: 0 leaves of 8^3 voxels, 1
- * nodes of 16^3 leaves, 2 nodes of 32^3 nodes, 3 the root. */
+/** Binary logarithms of the entries (width) and voxels (reach) along a side of a node. Levels: 0
+ * leaves of 8^3 voxels, 1 nodes of 16^3 leaves, 2 nodes of 32^3 nodes, 3 the root. */
 constexpr int Log2Width[] = { 3, 4, 5 };
 constexpr int Log2Reach[] = { 3, 7, 12 };
 
