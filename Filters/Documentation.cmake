@@ -1,6 +1,6 @@
 # The target `documentation`: API pages in <build folder>/documentation/html (Python's:
-# Python/Documentation.cmake). The documentation of a class is in its header; sub-folders of a
-# module are private and left out.
+# Python/Documentation.cmake). The documentation of a class is in its header. Headers in sub-folders
+# of a module are left out.
 
 set(DOXYGEN_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/documentation")
 set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}")

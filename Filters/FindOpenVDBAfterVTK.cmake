@@ -1,6 +1,7 @@
 # Finds OpenVDB, for the build and for those who use the installed package alike. OpenVDB ships no
-# package config, only a find module, in a folder that CMake does not search. Call it after
-# find_package(VTK): both look for TBB, and in the other order the second one fails.
+# package config, only a find module, in a folder that CMake does not search. Include this file
+# after find_package(VTK): VTK and OpenVDB look for TBB, and in the other order find_package(VTK)
+# fails.
 find_path(ActiveImplicitSurfaces_OPENVDB_MODULES FindOpenVDB.cmake
   PATHS
     "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB"

@@ -1,5 +1,5 @@
-# The libraries without VTK, LevelSet and Files. They are the same for VTK's and ParaView's builds:
-# with ACTIVE_NUMERICS one build takes them from another's folder, and builds them there.
+# The libraries without VTK: LevelSet and Files. VTK's and ParaView's builds can use the same
+# libraries: with ACTIVE_NUMERICS a build uses those of another build folder, and builds them there.
 include(GenerateExportHeader)
 
 set(ACTIVE_NUMERICS "" CACHE PATH
@@ -68,7 +68,7 @@ if (NOT EXISTS "${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
     "Configure that one first, or leave ACTIVE_NUMERICS empty.")
 endif ()
 include("${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
-# Without it an edit of the numerics would not reach this build.
+# Builds the numerics first; otherwise an edit of the numerics would not reach this build.
 get_target_property(level_set ActiveImplicitSurfaces::ActiveLevelSet LOCATION)
 get_target_property(files ActiveImplicitSurfaces::ActiveFiles LOCATION)
 add_custom_target(numerics ALL
