@@ -199,7 +199,7 @@ void KeepTriangles(
 // Reduces a skin to this rank's triangles and their points, and adds the array "GlobalPointIds"
 // with the point indices in the whole skin. Points at the border of two parts are in both parts,
 // bitwise identical. Returns the arrays of the whole skin on rank 0, for writers, if the band is
-// whole; otherwise null. Changes nothing in a program of one process.
+// whole; otherwise null. Changes nothing for a filter of one process.
 vtkSmartPointer<vtkPointData> KeepShare(
   const NarrowBand& band, const OutputShare& share, vtkPolyData* skin)
 {

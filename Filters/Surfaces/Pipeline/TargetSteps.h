@@ -36,7 +36,8 @@ public:
   // is no input.
   void AddRequested(vtkInformation* target);
 
-  // Adds the first step, and reads more steps to estimate the particle spacing. Collective.
+  // Adds the first step. If this step has particles or no points, reads up to two more steps to
+  // estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
   // Adds the input's current data as the first step, if this step is still missing.

@@ -24,7 +24,8 @@ public:
   // its superclass does. Does nothing for an algorithm with another executive.
   static void SetIsOneOfMany(vtkAlgorithm* algorithm, bool isOneOfMany);
 
-  // Returns true if the inputs failed at the last request of any kind; false for another executive.
+  // Returns true if an input failed at the last request of at least one kind (information, data
+  // ...); false for another executive.
   static bool HaveInputsFailed(vtkAlgorithm* algorithm);
 
 protected:

@@ -32,7 +32,8 @@ public:
     this->Arriving.reset();
   }
 
-  // Limits that do not change the motion. More active voxels than `maximum` end it by an exception.
+  // Limits that do not change the path of the skin. More active voxels than `maximum` are an
+  // exception.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
@@ -62,7 +63,8 @@ public:
   // domain) or a periodic axis.
   Walls MakeWalls(double beyond) const;
 
-  // Numbers since ResetCounters, including motions that ended in an exception.
+  // Numbers of all motions since ResetCounters, also of motions that ended in an exception; without
+  // Start.
   std::size_t GetSubsteps() const { return this->Substeps; }
   std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }

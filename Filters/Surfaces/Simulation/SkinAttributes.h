@@ -43,7 +43,7 @@ struct ArrayFrames
   double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
 };
 
-// Returns the frames at the requested time. If wantsInterval, as velocities do, returns the frames
+// Returns the frames at the requested time. If wantsInterval (for velocities), returns the frames
 // of the interval before the requested step instead; at the first step, and at a time between
 // steps, of the interval after the step. For a forward-only input, if the earlier frame is not
 // stored with the arrays, returns only the frame at the requested step. A static target has only

@@ -76,8 +76,10 @@ struct SurfaceInputs
 
   std::array<std::string, 5> Arrays; // descriptions of the selected arrays
   std::vector<double> Steps;         // pipeline times; the first one is motion time 0
-  std::vector<double> InputSteps;    // of the input, without repeated times; may be empty
-  bool OnlyForward = false;          // the input cannot repeat a step
+  // Of the input, without repeated times; if OnlyForward, the requested or pushed times. May be
+  // empty.
+  std::vector<double> InputSteps;
+  bool OnlyForward = false; // the input cannot repeat a step
 
   // Returns true if Steps are times of the input, of requests or of pushed frames, not of the
   // filter's own clock.

@@ -141,10 +141,10 @@ public:
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
-  // Returns null while the bounds are unknown. ModelBounds are always known; other bounds are
-  // unknown before the first frames are added, for functions without bounds, and for an empty first
-  // frame unless HasOwnSizes() or a spacing gives the sizes. Throws std::invalid_argument for
-  // invalid settings.
+  // Returns null while the bounds are unknown. ModelBounds are always known. Other bounds are
+  // unknown before the first frames are added and, without an initial shape that has bounds, for
+  // functions without bounds, and for an empty first frame unless HasOwnSizes() or a spacing gives
+  // the sizes. Throws std::invalid_argument for invalid settings.
   const SurfaceDomain* FindDomain();
   // Returns the domain that FindDomain or SetDomain has set; null before.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }

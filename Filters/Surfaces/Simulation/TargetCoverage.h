@@ -1,11 +1,12 @@
 // The fraction of the target outside the skin.
 //
 // For particles and skeletons: the fraction of their points of positive strength that are outside
-// by more than their own radius (ParticleModel.h). For other targets: the fraction of sample points
-// of the inside that are outside the skin by more than a voxel. Sample points are a low-discrepancy
-// sequence in the target's box; about 4096 or more are inside the target if the target fills at
-// least 1/16 of the box. A fraction of 1 % then has a standard deviation of at most 0.16 %, that of
-// 4096 random points. Points beyond walls or in the obstacle do not count.
+// by more than their own radius (ParticleModel.h). For other targets, and for inverted targets: the
+// fraction of sample points of the inside that are outside the skin by more than a voxel. Sample
+// points are a low-discrepancy sequence in the target's box; about 4096 or more are inside the
+// target if the target fills at least 1/16 of the box. A fraction of 1 % then has a standard
+// deviation of at most 0.16 %, that of 4096 random points. Points beyond walls or in the obstacle
+// do not count.
 
 #ifndef TargetCoverage_h
 #define TargetCoverage_h
