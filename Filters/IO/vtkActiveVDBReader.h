@@ -165,8 +165,8 @@ public:
   ///@{
   /**
    * Metadata as text. GetMetadata returns the value of a name, or an empty text if there is none.
-   * GetAllMetadata returns a line "name: value" for each entry. The methods with "Grid" in their
-   * names return the metadata of a grid.
+   * GetAllMetadata returns a line "name: value" for each entry, or "name" if the value is empty.
+   * The methods with "Grid" in their names return the metadata of a grid.
    */
   std::string GetMetadata(const std::string& name);
   std::string GetAllMetadata();
