@@ -247,11 +247,11 @@ public:
   ///@}
 
   ///@{
-  /** Distance [length] at which the influence of a particle, or a skeleton's line, ends. Larger is
-   * smoother and slower. A chosen array of radii replaces KernelRadius: an isolated particle or
-   * line of strength 1 becomes a ball or tube of its radius (SUM, lines: ParticleThreshold < 1).
-   * Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM, lines) or 2.25 (ANISOTROPIC) times
-   * ParticleSpacing. Default: -1. */
+  /** Distance [length] at which the kernel of a particle, or of a skeleton's line, ends
+   * (ANISOTROPIC: on average, in a body). Larger is smoother and slower. A chosen array of radii
+   * replaces KernelRadius: an isolated particle or line of strength 1 becomes a ball or tube of its
+   * radius (SUM, lines: ParticleThreshold < 1). Range: 1e-30 to 1e30, or -1, automatic: 2 (SUM,
+   * lines) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: -1. */
   vtkSetClampMacro(KernelRadius, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
   ///@}
@@ -672,9 +672,9 @@ public:
   ///@}
 
   ///@{
-  /** Memory [MiB] of each rank for stored states, 5 to 8 bytes per active voxel. When full, states
-   * are removed so that gaps between stored steps stay small. Does not restart the motion. Range:
-   * >= 0. Default: 256. */
+  /** Memory [MiB] of each rank for stored states, 5 to 8 bytes per active voxel (isolated drops:
+   * about 15). When full, states are removed so that gaps between stored steps stay small. Does not
+   * restart the motion. Range: >= 0. Default: 256. */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
   ///@}

@@ -112,7 +112,7 @@ void SurfaceSimulation::RestoreLoaded()
   const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
   const NarrowBand& band = *this->Loaded.Band;
   const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
-  // A vanished skin keeps the time at which it vanished.
+  // A vanished skin without new parts keeps the time of the first step without skin.
   const bool isOfAnotherTime =
     !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
   const double given = this->Settings.VoxelSize;

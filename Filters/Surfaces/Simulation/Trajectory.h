@@ -81,8 +81,9 @@ public:
   // EQUILIBRIUM also if the surface has moved.
   bool IsAtStart() const { return this->Step <= 0 && !this->IsUnfinished() && !this->HasBranch(); }
 
-  // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
-  // at which it vanished; this is no interruption. Always false with EQUILIBRIUM.
+  // Returns true if the motion to the next step was interrupted. A vanished surface without new
+  // parts keeps the time of the first step without surface; this is no interruption. Always false
+  // with EQUILIBRIUM.
   bool IsUnfinished() const;
 
   // Returns true if the surface is at the time; with EvolutionMode EQUILIBRIUM, if
