@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Mesh: largest computed distance [length]; beyond, F is +-Reach. Memory and time of reading are
-   * proportional to Reach. Values below three voxels are replaced by three voxels. Range: > 0,
+   * Mesh: largest computed distance [length]; beyond, F is +-Reach. Memory and time of reading grow
+   * about linearly with Reach. Values below three voxels are replaced by three voxels. Range: > 0,
    * or -1, automatic: an eighth of the diagonal of the mesh's bounds. Default: -1.
    */
   vtkSetClampMacro(Reach, double, -1.0, VTK_DOUBLE_MAX);
@@ -154,7 +154,7 @@ public:
   /**
    * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number, as
    * estimated from the mesh, VoxelSize, Reach and MeshThickness. A voxel needs about 10 bytes while
-   * reading. Range: >= 1. Default: 500000000.
+   * reading, about 20 if Reach is three voxels. Range: >= 1. Default: 500000000.
    */
   vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfVoxels, vtkIdType);

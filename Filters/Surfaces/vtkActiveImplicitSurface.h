@@ -300,11 +300,11 @@ public:
   // @name Resolution
 
   ///@{
-  /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: 4 times
-   * the memory, 3 to 4 times the time (explicit substeps: 8, with Tension 16). Range: 1e-30 to
-   * 1e30, or -1, automatic: half of ParticleSpacing if set (for functions only without
-   * ModelBounds); otherwise from the estimated spacing, the pixels or the bounds (PARAMETERS.md).
-   * Default: -1. */
+  /** Spacing of the lattice nodes [length]: the smallest detail of the skin. Half the size: up to
+   * 4 times the memory and the time (explicit substeps: up to 8 times the time, with Tension 16).
+   * Range: 1e-30 to 1e30, or -1, automatic: half of ParticleSpacing if set (for functions only
+   * without ModelBounds); otherwise from the estimated spacing, the pixels or the bounds
+   * (PARAMETERS.md). Default: -1. */
   vtkSetClampMacro(VoxelSize, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
