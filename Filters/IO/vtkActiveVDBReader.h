@@ -27,7 +27,7 @@
  * @par Errors
  * - Before a grid is read, all supported grids of the file are validated down to the last leaf. A
  *   damaged file is an error with an ErrorCode, and the output is empty.
- * - Files older than OpenVDB 2 are an error.
+ * - A file with a format version below 222 is an error. OpenVDB 2.0 and later write 222 or above.
  */
 
 #ifndef vtkActiveVDBReader_h
