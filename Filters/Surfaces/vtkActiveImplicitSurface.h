@@ -102,7 +102,8 @@
  * - A time between two steps moves a copy of the earlier step's skin. A time before the first step,
  *   after the last step, or within rounding of a step counts as that step.
  * - The motion restarts when target, initial shape, obstacle or a property of the motion changes.
- *   If an input of two or more time steps only gets more steps, the motion continues.
+ *   If an input of two or more time steps only gets more steps, the motion continues (with
+ *   EQUILIBRIUM: restarts).
  * - If the input provides each time only once (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are
  *   the requested times. Advance adds single frames.
  *
