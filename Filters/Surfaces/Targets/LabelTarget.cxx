@@ -144,7 +144,7 @@ bool LabelTarget::IsInside(const NodeIndex& node) const
 }
 
 // Returns true if the potential is 1 in the whole block, or -1 in the whole block. Distances
-// [pixels] change by at most 1 / LeastPixel per unit of length.
+// [pixels] change by at most about 1 / LeastPixel per unit of length, averaged over a pixel.
 bool LabelTarget::IsUniform(const Block& block, double& distance) const
 {
   const double half = 0.5 * block.Size;
