@@ -52,34 +52,48 @@ float CosineToWall(const WallSide& side, const float (&gradient)[3])
   return towards > 0.f ? towards / std::sqrt(square) : 0.f;
 }
 
-/** Returns the displacement of a surface at the distance `between` from a wall. The displacement is
- * `between` up to `gap` and falls to 0 at 1.5 gap, so an approaching surface does not jump. The
- * displacement is multiplied by the weight of the cosine. */
-float ShiftToWall(float between, float cosine, float gap)
+/** Returns the weight of the shift onto a wall for a surface at the distance `between` from the
+ * wall: 1 up to `gap`, then falling to 0 at 1.5 gap, so an approaching surface does not jump; times
+ * the weight of the cosine. */
+float WeightOfShift(float between, float cosine, float gap)
 {
   const float facing = (cosine - LeavesWall) / (FacesWall - LeavesWall);
   const float share = std::min(std::max(facing, 0.f), 1.f);
-  const float shift = std::min(between, 3.f * gap - 2.f * between);
-  return share * share * (3.f - 2.f * share) * std::max(shift, 0.f);
+  const float near = std::min(std::max(3.f * gap / between - 2.f, 0.f), 1.f);
+  return share * share * (3.f - 2.f * share) * near;
 }
 
-/** Lowers the potential `numbers` at a leaf's nodes near a wall, so that a surface that faces the
- * wall rests on the wall. */
+/** Returns the distance from the surface to a wall along the axis, found at a node at `distance`
+ * from the wall. The crossing is interpolated, because the potential is no distance where particles
+ * are about as wide as voxels. outward: offset to the next node towards the wall. */
+float FindBetween(const float* potential, float distance, int outward)
+{
+  const bool isBeyond = distance <= 0.f;
+  const float inner = potential[isBeyond ? -outward : 0], outer = potential[isBeyond ? 0 : outward];
+  const float toWall = isBeyond ? distance + 1.f : distance; // from the inner node
+  return toWall + (inner < 0.f && outer > 0.f ? inner / (outer - inner) : inner);
+}
+
+/** Changes the potential `numbers` at a leaf's nodes near a wall to the distance from the wall, so
+ * that a surface that faces the wall rests on the wall. */
 void RestOnWall(const WallSide& side, float gap, const NodeIndex& origin,
   const NodeBlock<1>& potential, float* numbers)
 {
   constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
+  constexpr int offsets[3] = { X, Y, 1 };
+  const int outward = (side.Inward > 0.f ? -1 : 1) * offsets[side.Axis];
   for (int n = 0; n < 512; ++n)
   {
     const int index[3] = { n >> 6, n >> 3 & 7, n & 7 };
     const auto distance =
       static_cast<float>(side.Inward * (origin[side.Axis] + index[side.Axis] - side.Place));
-    const float between = numbers[n] + distance; // from the surface to the wall
-    if (distance >= 0.f && between > 0.f && between < NodeLimit)
+    const float* c = potential.Row(index[0], index[1]) + index[2];
+    const float between = FindBetween(c, distance, outward);
+    if (between > 0.f && between < NodeLimit)
     {
-      const float* c = potential.Row(index[0], index[1]) + index[2];
       const float gradient[3] = { c[X] - c[-X], c[Y] - c[-Y], c[1] - c[-1] };
-      numbers[n] -= ShiftToWall(between, CosineToWall(side, gradient), gap);
+      const float weight = WeightOfShift(between, CosineToWall(side, gradient), gap);
+      numbers[n] -= weight * (numbers[n] + distance);
     }
   }
 }

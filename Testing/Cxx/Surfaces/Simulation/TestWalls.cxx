@@ -91,6 +91,23 @@ double GetVolume(vtkPolyData* skin)
   return measure->GetVolume();
 }
 
+// Heights of the skin's points under the middle of the block of MakeBlock, below a height.
+std::vector<double> FindHeights(vtkPolyData* skin, double below)
+{
+  std::vector<double> found;
+  for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    skin->GetPoint(i, x);
+    constexpr double middle = 0.5, half = 0.1;
+    if (x[2] < below && std::max(std::fabs(x[0] - middle), std::fabs(x[1] - middle)) < half)
+    {
+      found.push_back(x[2]);
+    }
+  }
+  return found;
+}
+
 // A block of 6 x 6 x 4 particles whose skin is at `gap` above the floor.
 std::vector<Particle> MakeBlock(double gap)
 {
@@ -117,6 +134,27 @@ TEST(TestWalls, APoolRestsOnItsWallsFlat)
       std::count_if(gaps.begin(), gaps.end(), [](double gap) { return gap < AtNode; });
     EXPECT_GT(static_cast<double>(onWall), 0.98 * static_cast<double>(gaps.size())) << time;
     EXPECT_LT(*std::max_element(gaps.begin(), gaps.end()), 0.1 * Spacing) << time;
+  }
+}
+
+// A wall may be anywhere between nodes.
+TEST(TestWalls, ABlockRestsFlatOnAWallBetweenNodes)
+{
+  for (const double voxel : { R, 0.5 * R })
+  {
+    for (double gap = 0.1; gap < 0.85; gap += 0.1)
+    {
+      auto filter = MakeSkinInBox([](double) { return MakeBlock(1.0); }, 1);
+      const double wall = 1.0 - gap * R;
+      filter->SetModelBounds(-1.0, 2.0, -1.0, 2.0, wall, 3.0);
+      filter->SetVoxelSize(voxel);
+      filter->Update();
+      const std::vector<double> heights = FindHeights(filter->GetOutput(), 1.2);
+      ASSERT_GT(heights.size(), 10u);
+      const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+      EXPECT_NEAR(*low, wall, 1e-3 * voxel) << "gap " << gap << " r, voxel " << voxel;
+      EXPECT_NEAR(*high, wall, 0.05 * voxel) << "gap " << gap << " r, voxel " << voxel;
+    }
   }
 }
 
