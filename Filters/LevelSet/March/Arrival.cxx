@@ -148,7 +148,15 @@ std::size_t CreateCores(
   target.MoveTo(band.GetTime());
   std::vector<PartCore> cores;
   band.Run([&] { cores = FindPartCores(MakeSearch(band, target, bounds)); });
-  return cores.empty() ? 0 : band.CreateParts(motion, CoreTarget(cores));
+  if (cores.empty())
+  {
+    return 0;
+  }
+  // The Attraction of the motion, which decides how wide a part has to be under Tension, does not
+  // act before the arrival.
+  Motion withoutTension = motion;
+  withoutTension.Tension = 0.0;
+  return band.CreateParts(withoutTension, CoreTarget(cores));
 }
 
 struct Arrival::Members

@@ -25,11 +25,10 @@ struct SkinForces;
 
 /**
  * Creates a small core for each part and each hollow of the target that the surface does not reach,
- * or meets only in a region too thin to grow from. Exception: a hollow stays closed if its core is
- * not wide (NewParts.h) under the motion's Tension and Attraction. Call before the first Advance.
- * Returns the number of created parts and hollows; 0 if too many nodes differ (DifferingNodes.h).
- * Parts that the target does not report are searched for on a lattice of at most 64 cells along an
- * axis. bounds: box of all searches (xmin xmax ymin ymax zmin zmax).
+ * or meets only in a region too thin to grow from. Call before the first Advance. Returns the
+ * number of created parts and hollows; 0 if too many nodes differ (DifferingNodes.h). Parts that
+ * the target does not report are searched for on a lattice of at most 64 cells along an axis.
+ * bounds: box of all searches (xmin xmax ymin ymax zmin zmax).
  */
 ACTIVELEVELSET_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);

@@ -15,6 +15,7 @@ namespace
 
 constexpr double MostNodesPerAxis = 64.0;
 constexpr double SmallestCore = .75, LargestCore = 2.5; // radius [voxels]
+constexpr double SmallestHollow = 1.25; // a hollow needs nodes a voxel from its centre (NewParts.h)
 // Least depth of a region common to surface and target from which a part can grow. The lattice
 // needs a thickness of two voxels.
 constexpr double LeastCommonDepth = 1.0; // [voxels]
@@ -223,10 +224,10 @@ private:
   {
     const DifferingNodes::Node& node = this->Nodes[deepest];
     const double voxel = this->Search.VoxelSize, spacing = this->Nodes.GetSpacing();
+    const double smallest = node.IsInside ? SmallestHollow : SmallestCore;
     this->Cores.push_back(
       { { node.Place[0] * spacing, node.Place[1] * spacing, node.Place[2] * spacing },
-        std::min(std::max(node.Distance, SmallestCore * voxel), LargestCore * voxel),
-        node.IsInside });
+        std::min(std::max(node.Distance, smallest * voxel), LargestCore * voxel), node.IsInside });
   }
 
   const ArrivalSearch& Search;

@@ -194,6 +194,30 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
+// Before the arrival the Attraction, which decides how wide a hollow has to be, does not act. A
+// core opens if its speed, (0.4 - CoreRadius) / End = 0.16, exceeds 2 Tension / CoreRadius, here
+// 0.08.
+TEST(TestArrival, HollowOpensAlsoAgainstTension)
+{
+  const Shape goal = MakeShell(.7, .4);
+  for (const double tension : { 1e-4, 3e-3 })
+  {
+    Morph morph(MakeBall({ 0.0, 0.0, 0.0 }, .7), goal, MakeMotion(1.0, tension));
+    EXPECT_EQ(morph.Cores, 1u) << tension;
+    morph.Advance(End);
+    EXPECT_EQ(GetTopology(Polygonise(morph.Band)).Voids, 1) << tension;
+  }
+}
+
+TEST(TestArrival, NarrowHollowOpens)
+{
+  const Shape goal = MakeShell(.7, .8 * H);
+  Morph morph(MakeBall({ 0.0, 0.0, 0.0 }, .7), goal);
+  EXPECT_EQ(morph.Cores, 1u);
+  morph.Advance(End);
+  EXPECT_EQ(GetTopology(Polygonise(morph.Band)).Voids, 1);
+}
+
 // F / |grad F|, limited to 0.3, is wrong by up to a third where the surface starts.
 TEST(TestArrival, TargetNeedNotBeADistance)
 {
