@@ -30,6 +30,7 @@ _HELD: dict[str, tuple[str, ...]] = {
     ".xyz": (),
 }
 _ROUNDING = 1.0 / 64.0  # allowed displacement by single precision, as a fraction of an edge
+_EXACT_INTEGERS = 1 << 24  # up to here single precision has all integers
 _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 
 
@@ -93,7 +94,9 @@ def origin_for_floats(mesh: Any) -> Any:
 
 
 def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
-    """Warns if points, relative to `origin`, move visibly when rounded to single precision."""
+    """Warns of rounding to single precision: of points, relative to `origin`, that move visibly,
+    and of integers in point arrays that the format stores.
+    """
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         near = _rounding(points_of(mesh) - origin_for_floats(mesh)) <= _ROUNDING * edge
@@ -102,6 +105,20 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
             f"A {suffix} file rounds points to single precision, by up to {rounding:.2g} here, "
             f"where edges are about {edge:.2g} long; write .ply, .obj or .vtp{hint}."
         )
+    if "numbers" in _HELD.get(suffix, _EVERYTHING) and (large := _large_integers(mesh)):
+        warn(
+            f"A {suffix} file stores arrays in single precision, which rounds integers beyond "
+            f"{_EXACT_INTEGERS}, as in {', '.join(large)}; write .vtp to keep them."
+        )
+
+
+def _large_integers(mesh: Any) -> list[str]:
+    """Returns the names of point arrays with integers that single precision cannot hold."""
+    return [
+        name
+        for name, values in arrays_of(mesh)[2].items()
+        if values.dtype.kind in "iu" and numpy.abs(values).max(initial=0) > _EXACT_INTEGERS
+    ]
 
 
 def warn_of_coarse(path: Path, mesh: Any) -> None:
