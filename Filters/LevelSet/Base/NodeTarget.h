@@ -100,8 +100,8 @@ public:
   /** Amplitude of the noise of a body's surface [voxels], see property TargetNoise; 0: no noise. */
   virtual float GetNoise() const = 0;
 
-  /** A surface that faces a wall is shifted onto the wall: wholly within this distance [voxels],
-   * partly up to 1.5 times this distance; 0: no shift. */
+  /** A surface that faces a wall is shifted onto the wall: wholly within this distance [voxels], at
+   * most 2, partly up to 1.5 times the distance; 0: no shift. */
   virtual float GetWallGap() const = 0;
 
   virtual NodeFreedom GetFreedom() const { return {}; }

@@ -22,6 +22,9 @@ constexpr double ReachOfLeaf = 6.1 + NodeLimit;
  * meets a wall, or a surface at an edge of the box, is therefore as round as without walls. */
 constexpr float LeavesWall = .75f, FacesWall = .95f;
 
+/** Distance from a wall from which on a surface is not shifted [gap]. */
+constexpr float NoShift = 1.5f;
+
 double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
 {
   const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
@@ -53,13 +56,14 @@ float CosineToWall(const WallSide& side, const float (&gradient)[3])
 }
 
 /** Returns the weight of the shift onto a wall for a surface at the distance `between` from the
- * wall: 1 up to `gap`, then falling to 0 at 1.5 gap, so an approaching surface does not jump; times
+ * wall: 1 up to `gap`, then falling to 0 at NoShift, so an approaching surface does not jump; times
  * the weight of the cosine. */
 float WeightOfShift(float between, float cosine, float gap)
 {
   const float facing = (cosine - LeavesWall) / (FacesWall - LeavesWall);
   const float share = std::min(std::max(facing, 0.f), 1.f);
-  const float near = std::min(std::max(3.f * gap / between - 2.f, 0.f), 1.f);
+  const float near =
+    std::min(std::max((NoShift * gap / between - 1.f) / (NoShift - 1.f), 0.f), 1.f);
   return share * share * (3.f - 2.f * share) * near;
 }
 
@@ -165,14 +169,16 @@ bool NodeStep::IsNearWall(const NodeIndex& origin, const NodeFrame& frame, const
 }
 
 /** Shifts a surface that is near a wall, and faces the wall, onto the wall, where the surface is
- * then flat. The sides of a periodic box do not count as walls. gap: NodeTarget::GetWallGap.
- * Overwrites Psi. */
+ * then flat. The sides of a periodic box do not count as walls. gap: NodeTarget::GetWallGap,
+ * limited so that the potential of a surface that is shifted partly is not clamped. Overwrites Psi.
+ */
 void NodeStep::RestOnWalls(const NodeFrame& frame, const Motion& motion, float gap)
 {
   if (!motion.Box.Present || !(gap > 0.f))
   {
     return;
   }
+  gap = std::min(gap, NodeLimit / NoShift);
   this->Halo.Refresh(this->Potential);
   const auto rest = [&](std::size_t i)
   {
