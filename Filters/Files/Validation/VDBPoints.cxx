@@ -170,8 +170,8 @@ Types PointsValidator::ReadDescriptor()
     type.second = this->Source.ReadText();
     if (!AttributeArray::isRegistered(type))
     {
-      throw std::runtime_error("its points have an attribute whose type " + type.first +
-        " or codec " + type.second + " is unknown; write the file without this attribute");
+      throw std::runtime_error("its points have an attribute of an unknown type or codec (\"" +
+        type.first + "\", \"" + type.second + "\"); write the file without this attribute");
     }
     groups += type == openvdb::points::GroupAttributeArray::attributeType() ? 1 : 0;
   }
