@@ -138,7 +138,7 @@ def _check(path: Path, errors: list[str], failed: bool = False) -> None:
     errors = [said for said in errors if not (_NO_POINTS in said and _is_empty(path))]
     if errors or failed:
         said = (
-            errors[0].rstrip(".")
+            errors[0].removeprefix(f"The file {path} cannot be read: ").rstrip(".")
             if errors
             else "it is damaged, or the extension is wrong; write it again"
         )
