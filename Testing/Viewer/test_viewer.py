@@ -125,7 +125,7 @@ class Page(unittest.TestCase):
         return page.locator(".frame").inner_text().partition(",")[0]
 
     def scrub(self, page, frame):
-        """Moves to a frame, the first of which is 1, by a click on the time slider."""
+        """Moves to a frame, counted from 1, by a click on the time slider."""
         box = page.locator(".time .v-slider-track").bounding_box()
         place = box["x"] + (box["width"] - 1) * (frame - 1) / (FRAMES - 1)
         page.mouse.click(place, box["y"] + box["height"] / 2)

@@ -122,7 +122,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 
 
 def rows_of(own: properties.Property) -> list[str]:
-    """Returns the rows of a property: from the tables, the group and the comment."""
+    """Returns the rows of facts of a property: from _ACTING, its group and its comment."""
     groups = {
         "Motion": f"{_MOTION} particles",  # the first skin over particles is smoothed
         "Conservation": f"{_MOTION} particles",

@@ -79,7 +79,8 @@ std::set<Coord> PointsOf(const TargetPart& part, bool samplesAlone)
   return nodes;
 }
 
-/** Nodes within the cube that are connected with a node on the same side of the surface. */
+/** Nodes of the cube max |coordinate| <= half that are connected with `from`, across faces, on the
+ * same side of the surface. */
 std::set<Coord> Flood(const LatticeShape& shape, int half, const Coord& from)
 {
   const bool side = shape.Inside.isValueOn(from);
