@@ -150,7 +150,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(said_at(surface), [])
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
         surface = surface_over(make_points(at_origin + 1e30), ParticleSpacing=SPACING)
-        self.assertRegex(said_at(surface)[0], "ModelBounds")
+        self.assertIn("move the input", said_at(surface)[0])
 
     def test_images(self):
         for spacing in (0.0, 1e-300, 1e-30, 1e30, 1e300):
@@ -158,7 +158,7 @@ class Numbers(unittest.TestCase):
                 data = image(quadric(1, 1, 1))
                 data.SetSpacing(spacing, spacing, spacing)
                 for said in said_at(surface_over(data)):
-                    self.assertIn("VoxelSize", said)
+                    self.assertRegex(said, "VoxelSize|too small a Spacing")
 
     def test_more_cells_than_there_are_values(self):
         """2^31 cells and more, for which no memory is requested."""
