@@ -217,11 +217,8 @@ public:
           reaches.OfBlock[i] = longest;
         }
       });
-    reaches.Longest = 0.0;
-    for (const double reach : reaches.OfBlock)
-    {
-      reaches.Longest = std::max(reaches.Longest, reach);
-    }
+    reaches.Longest = FindMost(
+      reaches.OfBlock.size(), 0.0, [&reaches](std::size_t i) { return reaches.OfBlock[i]; });
   }
 
   // Calls visit(first, end, block) for runs of particles whose supports may touch a box [voxels].
@@ -259,7 +256,8 @@ private:
     return range;
   }
 
-  // Calls visit(index) for the blocks with particles in a range, in the order of x, y, z.
+  // Calls visit(index) for the blocks with particles in a range, in the order of x, y, z. Goes over
+  // the range, or over all these blocks if they are fewer.
   template <class Visit>
   void VisitFilled(const PartRange& range, Visit&& visit) const
   {
