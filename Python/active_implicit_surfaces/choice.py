@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
@@ -128,6 +129,14 @@ def choose(
         if not chosen.all():
             data = _marked(data, chosen.astype("u1"), is_of_cells)
     return data
+
+
+def choose_in(file: str | Path, *arguments: Any) -> Any:
+    """Selects by `choose` from the data of a file; errors name the file."""
+    try:
+        return choose(*arguments)
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from error
 
 
 def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:

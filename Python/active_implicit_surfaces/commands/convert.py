@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
-from ..choice import choose, labels_of, note_once
+from ..choice import choose_in, labels_of, note_once
 from ..contours import contour, usual_level
 from ..data_objects import points_of
 from ..file_names import (
@@ -192,10 +192,7 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]
         whole = read_shape(file, parts=parts)
-        try:
-            shape = choose(whole, options.where or (), options.label, note)
-        except ValueError as error:
-            raise OSError(f"{file}: {error}") from error
+        shape = choose_in(file, whole, options.where or (), options.label, note)
         is_contour = shape.IsA("vtkImageData") and not is_vdb
         return _contour(file, shape, options) if is_contour else shape
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy
 
 from .. import runner
-from ..choice import choose, labels_of
+from ..choice import choose_in, labels_of
 from ..morphing import FITS, morph
 from ..skin_files import MESH_SUFFIXES, read_shape
 from .effects import check_effects
@@ -46,7 +46,10 @@ def run(arguments: list[str]) -> int:
 
 def _run(parser: Parser, options: Any, chosen: dict[str, Any], shapes: list[Any]) -> None:
     outputs = Outputs(parser, options)
-    shapes = [_chosen(*one, options) for one in zip(options.files, shapes)]
+    shapes = [
+        choose_in(file, shape, options.where or (), options.label)
+        for file, shape in zip(options.files, shapes)
+    ]
     facts = ["mesh" for shape in shapes if shape.IsA("vtkPolyData")]
     check_effects(parser, options, outputs.output, ["series", *facts])
     outputs.plan(list(range(options.frames)), options.files)
@@ -54,14 +57,6 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any], shapes: list[Any]
     way = morph(shapes[0], shapes[1], duration, frames=count, fit=options.fit, **chosen)
     sinks = outputs.sinks(way, lambda: (_corners_of(shapes), "y"), "paper")
     runner.run(way.make, range(count), [*sinks, Progress(count, quiet=options.quiet)])
-
-
-def _chosen(file: Path, shape: Any, options: Any) -> Any:
-    """Returns what --where and --label select; errors name the file."""
-    try:
-        return choose(shape, options.where or (), options.label)
-    except ValueError as error:
-        raise ValueError(f"{file}: {error}") from error
 
 
 def make_parser() -> Parser:
