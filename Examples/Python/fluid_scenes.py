@@ -3,7 +3,7 @@
     scene = load_scene("fountain", "folder")      # made once, then read from folder/fountain.npz
     for positions, velocities, ids in scene.frames:
 
-Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3. The box has
+Still particles are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3. The box has
 its corner at the origin, the size scene.size, and is open above; sheet and ball extend beyond.
 The scenes:
 
