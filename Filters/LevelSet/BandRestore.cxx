@@ -25,6 +25,7 @@ void BandState::Reset(double time, const double bounds[6])
 {
   this->MakeEmpty();
   this->Time = time;
+  this->NoPartsBefore = AnyTime;
   this->StartMeasure = SkinMeasure();
   this->Work = AdvanceReport();
   this->BoxSize = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });

@@ -20,7 +20,7 @@ namespace activesurface
 /** One substep: its limits and its result. */
 struct BandState::Move
 {
-  double MostTime = std::numeric_limits<double>::infinity();
+  double End = std::numeric_limits<double>::infinity(); // time
   bool MaySkip = true;
 
   PenaltyForce Force;
@@ -34,6 +34,11 @@ namespace
 /** ControlledBand::Rounds after a frame of the node scheme, which may replace many explicit
  * substeps. */
 constexpr int RoundsOfLongSteps = 8;
+
+bool HasPenalty(const Motion& motion)
+{
+  return motion.AreaControl == Control::Penalty || motion.VolumeControl == Control::Penalty;
+}
 
 }
 
@@ -87,7 +92,7 @@ TargetLimits BandState::FollowTarget(
     return {};
   }
   target.MoveTo(this->Time);
-  if (motion.CreateParts && target.HasRegions())
+  if (motion.CreateParts && target.HasRegions() && this->Time >= this->NoPartsBefore)
   {
     this->CreateParts(motion, target, report);
   }
@@ -114,10 +119,9 @@ FollowingBand BandState::GetFollower()
 
 PenaltyForce BandState::FindForce(const Motion& motion) const
 {
-  const bool isForced =
-    motion.AreaControl == Control::Penalty || motion.VolumeControl == Control::Penalty;
-  return isForced && this->Crossings > 0 ? FindPenalty(motion, this->Measure(), this->StartMeasure)
-                                         : PenaltyForce();
+  return HasPenalty(motion) && this->Crossings > 0
+    ? FindPenalty(motion, this->Measure(), this->StartMeasure)
+    : PenaltyForce();
 }
 
 void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move)
@@ -207,8 +211,8 @@ void BandState::TryStep(const Motion& motion, Target& target, AdvanceReport& rep
     move.IsSkipped = !std::isfinite(stable);
   }
   stable = std::min(stable, motion.LongestStep);
-  CheckStep(stable, this->VoxelSize, move.MostTime);
-  move.Step = std::min(stable, move.MostTime);
+  CheckStep(stable, this->VoxelSize, move.End - this->Time);
+  move.Step = std::min(stable, move.End - this->Time);
   if (move.IsSkipped)
   {
     ++report.SkippedSubsteps;
@@ -221,6 +225,10 @@ void BandState::TryStep(const Motion& motion, Target& target, AdvanceReport& rep
   else
   {
     this->MakeDefaultStep(motion, limits, move);
+  }
+  if (HasPenalty(motion) && this->Crossings == 0)
+  {
+    this->NoPartsBefore = move.End;
   }
   ++report.Substeps;
   report.UniformPulls += pullsInVain ? 1 : 0;
@@ -236,9 +244,9 @@ void BandState::Step(double end, const Motion& motion, Target& target, AdvanceRe
   else
   {
     Move move;
-    move.MostTime = end - this->Time;
+    move.End = end;
     this->MakeStep(motion, target, report, move);
-    this->Time = move.Step < move.MostTime ? this->Time + move.Step : end;
+    this->Time = move.Step < end - this->Time ? this->Time + move.Step : end;
   }
   CheckSize(this->CountActive(), this->Maximum);
 }

@@ -26,6 +26,8 @@ struct FollowingBand;
 
 struct BandState
 {
+  static constexpr double AnyTime = -std::numeric_limits<double>::infinity();
+
   double VoxelSize = 1.0;
   double Time = 0.0;
   int Threads = 0;
@@ -33,12 +35,13 @@ struct BandState
   openvdb::FloatGrid::Ptr Potential;
   LeafTable Leaves;
   std::size_t Crossings = 0;
-  SkinMeasure StartMeasure; // world units
-  double BoxSize = 1.0;     // longest side of the bounds at the start
-  bool Paper = false;       // true: the paper's scheme, see PaperStep.h
-  bool HasGhosts = true;    // false: layers 3 and 4 have values up to NodeLimit
-  AdvanceReport Work;       // since the start or ForgetWork
-  ActiveSet Set;            // leaves of the current substep; kept for its capacity
+  SkinMeasure StartMeasure;       // world units
+  double BoxSize = 1.0;           // longest side of the bounds at the start
+  bool Paper = false;             // true: the paper's scheme, see PaperStep.h
+  bool HasGhosts = true;          // false: layers 3 and 4 have values up to NodeLimit
+  double NoPartsBefore = AnyTime; // end of the frame in which a penalty removed the surface
+  AdvanceReport Work;             // since the start or ForgetWork
+  ActiveSet Set;                  // leaves of the current substep; kept for its capacity
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
@@ -75,6 +78,7 @@ struct BandState
     this->BoxSize = numbers.BoxSize;
     this->Paper = numbers.Paper;
     this->HasGhosts = numbers.HasGhosts;
+    this->NoPartsBefore = AnyTime;
   }
   float GetBackground() const { return this->Paper ? PaperThreshold : Far; }
   /** Call before the first substep of a motion. */

@@ -270,6 +270,10 @@ AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
         (isStill || (criterion.Tolerance > 0.0 && members.Window.IsSteady()));
       return !report.IsSteady;
     });
+  if (!report.Aborted)
+  {
+    members.NoPartsBefore = BandState::AnyTime;
+  }
   report.Vanished = members.Crossings == 0;
   return report;
 }

@@ -29,6 +29,13 @@ SEED = 20261122
 
 # Cases of fixed defects, with their causes.
 FOUND = (
+    # A penalty removed new parts in each substep, and each substep created them again.
+    {
+        "target": ("emitter", 704501),
+        "obstacle": ("some_balls", 446754),
+        "properties": {"Attraction": 1.0, "AreaControl": 1, "Tension": 0.0, "ParticleModel": 1},
+        "operations": [("time", 0.8336629540096793)],
+    },
     # A first time step that failed was treated as available, and empty.
     {
         "target": ("unmatched_particles", 29845),

@@ -142,8 +142,9 @@ struct Motion
 
   /** If true, explicit substeps search the target's regions. Parts of the target that no skin
    * reaches, and hollows deep inside the skin, then get a skin; exceptions in Start/NewParts.h.
-   * Invalid with Paper; no effect without Attraction, or with TimeIntegration::Nodes, which needs
-   * no search. */
+   * After a penalty has removed the whole surface, the next search is in the next frame. Invalid
+   * with Paper; no effect without Attraction, or with TimeIntegration::Nodes, which needs no
+   * search. */
   bool CreateParts = false;
 };
 

@@ -92,6 +92,30 @@ TEST(TestNewPartsRules, SteadyStateHasThem)
   CheckSound(*band, { 2, 0, 4 });
 }
 
+// The penalty of a tiny area removes each new part at once, in short substeps. Creating the part
+// again in each of them would take minutes.
+TEST(TestNewPartsRules, PenaltyRemovesThemOnceInAFrame)
+{
+  RegionTarget target = MakeStandingBalls({ Right });
+  Motion motion = MakeCreating();
+  motion.AreaControl = Control::Penalty;
+  motion.TargetArea = 1e-3;
+  const auto band = StartWith(MakeConstant(1.0));
+  for (const double time : { 0.01, 0.02 })
+  {
+    const AdvanceReport report = band->Advance(time, motion, target);
+    EXPECT_TRUE(report.Vanished);
+    EXPECT_EQ(report.CreatedParts, 1u) << "until " << time;
+    EXPECT_EQ(band->GetTime(), time);
+  }
+  for (int run = 0; run < 2; ++run)
+  {
+    const AdvanceReport report = band->AdvanceToSteadyState(motion, {}, target);
+    EXPECT_TRUE(report.IsSteady && report.Vanished);
+    EXPECT_EQ(report.CreatedParts, 1u) << "run " << run;
+  }
+}
+
 TEST(TestNewPartsRules, NothingFiniteCreatesNothing)
 {
   Shape spoilt = {
