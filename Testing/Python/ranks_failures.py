@@ -111,6 +111,10 @@ def other_properties(ranks, keeper, folder):
     keeper.update("other_voxels", surface, 1)
     surface.SetVoxelSize(0.1)
     keeper.update("other_times", surface, ranks.rank)
+    surface.ComputeVelocityOn()
+    surface.TangentialVelocityOn()
+    surface.SetInputArrayToProcess(5, 0, 0, 0, "velocity of " + str(ranks.rank))
+    keeper.update("other_velocities", surface, 1)
 
 
 @run

@@ -237,6 +237,7 @@ class Ranks(unittest.TestCase):
         start(3, "other_properties", folder)
         self.assert_failed(folder, "other_voxels", 3, "rank 2 has another value", "VoxelSize")
         self.assert_failed(folder, "other_times", 3, "rank 1 has another value", "the time")
+        self.assert_failed(folder, "other_velocities", 3, "rank 1 has another value", "arrays")
 
     def test_a_state_that_one_rank_does_not_find(self):
         folder = self.folder()

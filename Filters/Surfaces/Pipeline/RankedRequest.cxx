@@ -27,10 +27,11 @@ void Write(std::ostream& text, const Property& property, const std::array<double
 
 // Lists the values that must agree on all ranks, one on a line, with all bits of each number.
 std::string DescribeRequest(
-  const SurfaceProperties& properties, const SurfaceSettings& settings, int port, PipelineTime time)
+  const SurfaceProperties& properties, const SurfaceSettings& settings, const OutputRequest& output)
 {
   std::ostringstream text;
-  text << std::hexfloat << "the time: " << time.Value << "\nthe output port: " << port << "\n";
+  text << std::hexfloat << "the time: " << output.Time.Value << "\nthe output port: " << output.Port
+       << "\n";
   const auto tell = [&text](const Property& property, const auto& value, auto&&)
   { Write(text, property, value); };
   ForEachProperty(settings, tell);
@@ -48,6 +49,7 @@ std::string DescribeRequest(
   {
     text << "the chosen arrays: " << array << "\n";
   }
+  text << "the chosen arrays: " << output.Velocities << "\n";
   return text.str();
 }
 
@@ -70,9 +72,9 @@ std::string ToString(const Bytes& bytes)
 }
 
 bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
-  const SurfaceSimulation& simulation, int port, PipelineTime time)
+  const SurfaceSimulation& simulation, const OutputRequest& output)
 {
-  const std::string request = DescribeRequest(properties, simulation.GetSettings(), port, time);
+  const std::string request = DescribeRequest(properties, simulation.GetSettings(), output);
   const std::string own = request + '\0' + simulation.Describe();
   const std::vector<Bytes> all = ranks.Exchange({ own.begin(), own.end() });
   const std::string first = ToString(all.front());

@@ -301,10 +301,12 @@ void SurfaceRequests::AgreeOnRequest(
   }
   const int port = RequestedPort(request);
   const PipelineTime time = this->FindRequestedTime(output->GetInformationObject(port));
-  if (!activesurface::AgreeOnRequest(this->Ranks, properties, this->Simulation, port, time))
+  const RequestedArrays arrays = this->FindArrays(properties.Outputs, port);
+  if (!activesurface::AgreeOnRequest(
+        this->Ranks, properties, this->Simulation, { port, time, arrays.Kept.Velocities }))
   {
     this->Simulation.Reset();
-    this->Simulation.Request(time, this->FindArrays(properties.Outputs, port));
+    this->Simulation.Request(time, arrays);
   }
 }
 
