@@ -1,15 +1,15 @@
 // Accuracy of tension against the resolution and the time step.
 //
-// Run: BenchmarkConvergence [largest n] [dt factor]      (default 128, a quarter of a minute; all
-// factors)
+// Run: BenchmarkConvergence [largest n, 128] [factor, all]
 //
 // A ball of radius 0.6 in [-1,1]^3, n nodes along a side, shrinks by tension only to radius 0.3.
 // Exact: r^2 = r0^2 - 4 Tension t. The substep is factor * h^2 / Tension. Columns:
 //
 //   error: of the mean radius, relative to 0.3 [%]
 //
-//   skin: the same error for the skin of an exact ball of radius 0.3. Its points lie on chords of
-//   the sphere: h^2 / 24 r^2 too near on average. The error of the surface itself is the difference
+//   skin: the same error for the skin of an exact ball of radius 0.3. By linear interpolation of
+//   the distance, the skin's points are h^2 / 24 r^2 too near on average. The error of the motion
+//   is the difference
 //
 //   spread: largest minus least radius [h]
 //
@@ -34,7 +34,7 @@ namespace
 {
 constexpr double StartRadius = 0.6;
 constexpr double EndRadius = 0.3;
-// A point that no symmetry of the lattice favours.
+// A point off all planes of symmetry of the lattice.
 constexpr double Centre[3] = { 0.013, 0.007, -0.021 };
 
 class NoTarget : public Target

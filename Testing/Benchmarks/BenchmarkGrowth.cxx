@@ -5,15 +5,15 @@
 //
 // Resolution: a ball of radius 0.6 in [-1,1]^3, n nodes along a side, the default scheme
 // (attraction to a moving ball, tension). Prints seconds per substep, and the peak memory of a
-// separate process during start and substeps, less that of a run at n = 16. Exponents are slopes of
-// the straight line through the logarithms, by least squares. "while advancing" is the peak of the
-// substeps only. The start, which samples the bounds and sweeps distances, needs more.
+// separate process during start and substeps, less the memory that remains after a run at n = 16.
+// Exponents are slopes of a least-squares line through the logarithms. "while advancing" is the
+// peak of the substeps only.
 //
 // Threads: half of the largest n, 1 to all threads, relative to one.
 //
 // Particles: a ball of radius 1 filled with 1,000 times 1, 4, 16 ... particles, whose kernels
-// shrink with their spacing; the voxel is constant. Prints seconds per frame of the filter, which
-// include the search structure of the particles.
+// shrink with their spacing; the voxel size is constant. Prints seconds per frame of the filter,
+// with the construction of the particles' search structure.
 
 #include "Base/OpenVDB.h"
 #include "Measuring.h"
@@ -111,7 +111,7 @@ Need MeasureInChild(int n)
   const pid_t child = fork();
   if (child == 0)
   {
-    // The first band allocates code and stacks of threads, which do not count.
+    // The first run loads code and allocates the threads' stacks, which do not count.
     MeasureNeed(16, 0.0);
     ForgetPeak();
     const Need need = MeasureNeed(n, ReadPeak());
@@ -237,8 +237,7 @@ void GrowWithThreads(int n, int repetitions)
   }
 }
 
-/** Particles in a ball of radius 1 around a point, on a lattice of `spacing`, each slightly
- * displaced. */
+/** Particles of a distorted lattice in a ball of radius 1 around (place, 0, 0). */
 vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
 {
   std::mt19937 random(1);

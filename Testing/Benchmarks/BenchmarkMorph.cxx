@@ -5,13 +5,13 @@
 // Both sides compute the same motion. LevelSetMorphing moves its grid by (phi - target) |grad phi|.
 // At the surface, where phi is 0, this is our Attraction 1 to the target's distance. Neither side
 // clamps the distance. Both advance in intervals of 0.5 up to time 10, when exp(-10) of the
-// distance remains. After each interval, off the clock, the mean distance of the surface's points
-// (crossings of the lattice's edges) to the target is measured. All contestants reach the largest
-// of their best errors: `to the same error` is the time until then.
+// distance remains. After each interval, the benchmark measures the mean distance of the surface's
+// points (crossings of the lattice's edges) to the target; this time does not count. All
+// contestants reach the largest of their best errors: `to the same error` is the time until then.
 //
-// OpenVDB gets two inputs at no cost: its start, and the target's distances on a grid as wide as
-// the motion of the band (MorphScenes.h). Our formula is evaluated on the clock. Steps are
-// OpenVDB's iterations and our substeps. One thread.
+// Making OpenVDB's two inputs does not count: its start, and the target's distances on a grid as
+// wide as the motion of the band (MorphScenes.h). Evaluating our target counts. Steps are OpenVDB's
+// iterations and our substeps. One thread.
 
 #include "Crossings.h"
 #include "Measuring.h"
@@ -53,7 +53,7 @@ double ErrorOf(const openvdb::FloatGrid& grid, const Target& target)
   return sum / count;
 }
 
-/** Measures a course. advance(begin, end) returns its number of steps. */
+/** `advance(begin, end)` returns its number of steps. */
 template <class Advance, class Measure>
 Course Follow(const Advance& advance, const Measure& measure)
 {
@@ -90,7 +90,7 @@ Course FollowTheirs(const MorphScene& scene, bool isCheapest)
     [&] { return ErrorOf(*grid, *scene.Goal); });
 }
 
-/** First interval with at most this error. */
+/** Index of the first interval with at most this error. */
 std::size_t FindEnd(const Course& course, double error)
 {
   std::size_t i = 0;
@@ -113,7 +113,6 @@ double FindCommonError(const std::vector<std::vector<Course>>& all)
   return common;
 }
 
-/** Seconds after this interval, one number per repetition. */
 Costs SecondsAfter(const std::vector<Course>& courses, std::size_t piece)
 {
   Costs seconds;

@@ -1,19 +1,18 @@
-// Distribution of time over the parts of a substep, and cost of a scene of which nine tenths are
-// converged.
+// Distribution of time over the parts of a substep, and cost of a substep if nine tenths of the
+// surface have converged.
 //
 // Run: BenchmarkParts [quick]
 //
 // The library has no clocks in its hot path. This program calls the passes of a substep one by one,
-// in the order of BandState for attraction and tension, on a band of its own. In the end its
-// potential must be bitwise identical to that of a NarrowBand after as many substeps, or the
-// program fails. So it cannot differ from the library. Relaxation is a term of the step's kernel:
-// its time is that of the kernel with relaxation less that of the same kernel without. Polygonising
-// is no part of the substep, but has the same unit. Fractions are of the sum of the substep's
-// parts.
+// in the order of BandState for attraction and tension, on a band of its own. The program fails
+// unless its final potential is bitwise identical to that of a NarrowBand after as many substeps.
+// Relaxation is a term of the step's kernel: its time is that of the kernel with relaxation less
+// that of the kernel without. Polygonising is no part of the substep, but has the same unit.
+// Fractions are of the sum of the substep's parts.
 //
-// At rest: ten converged balls in a row, n nodes along it. The target is the same row, of which the
-// first ball or all balls begin to oscillate. Runs once without and once with a Tension that
-// smooths a third of a voxel. Prints seconds per substep, with the same steps in time.
+// Row of balls: ten converged balls, n nodes along the row. The target is the same row, of which
+// the first ball or all balls begin to oscillate. Runs once without and once with a Tension that
+// smooths a third of a voxel. Prints seconds per substep; all substeps have the same length.
 
 #include "Front/ConvergedLeaves.h"
 #include "Front/SamplePoints.h"
@@ -126,7 +125,8 @@ struct OpenBand
       return SecondsOf([&] { StepForward(this->Leaves, this->Set, coefficients, this->Buffers); });
     };
     const double whole = seconds();
-    // Runs both again, with similar caches; the last one leaves the result of the step.
+    // Compares two runs after the first, so that both find the data in the caches. The last run
+    // leaves the result of the step.
     const float relaxation = coefficients.Relaxation;
     coefficients.Relaxation = 0.f;
     const double without = seconds();

@@ -6,8 +6,8 @@
 // A ball of radius 0.9 in [-1,1]^3, n nodes along a side. Our code and vtkFlyingEdges3D write the
 // same mesh, vertex by vertex: points and normals in single precision, 64-bit corners. Filling the
 // dense image does not count, and every array is allocated in each repetition. volumeToMesh
-// produces quads without normals. "with normals" evaluates them from the gradient of the grid at
-// the points, the cheapest method in OpenVDB (six trilinear samples each).
+// produces quads without normals; "with normals" adds normals from the gradient of the grid at the
+// points (six trilinear samples each).
 
 #include "Measuring.h"
 #include "NarrowBandGrid.h"
@@ -40,7 +40,7 @@ double MakeSkin(const NarrowBand& band, std::size_t& triangles)
       const Skin skin(band);
       triangles = skin.GetNumberOfTriangles();
       const std::size_t count = skin.GetNumberOfPoints();
-      // Plain arrays: vectors would be zeroed first.
+      // A std::vector would set its elements to zero first.
       const std::unique_ptr<float[]> points(new float[3 * count]);
       const std::unique_ptr<float[]> normals(new float[3 * count]);
       const std::unique_ptr<std::int64_t[]> corners(new std::int64_t[3 * triangles]);

@@ -3,18 +3,18 @@
 //
 // Run: BenchmarkTension [quick]
 //
-// Costs are nanoseconds per active voxel and substep, each per active voxel of its own band. Our
-// band is 6 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2. Costs
-// include all parts of a substep: in OpenVDB the step, renormalisation and the new band.
+// Costs are nanoseconds per substep and active voxel of the own band: our band is 6 voxels wide and
+// has 7 n^2 active voxels, OpenVDB's of half width 3 has 6 to 7 n^2. Costs include all parts of a
+// substep: in OpenVDB the step, renormalisation and the new band.
 //
 //   tension: tension only
 //
 //   default scheme: attraction to a moving ball, whose distance is a formula, and tension
 //
-// "shrinks to .3" is the same motion to the same time: the ball shrinks by tension only, exactly
-// r^2 = 0.36 - 4 Tension t, to r = 0.3. Prints the total seconds, and the final error of the mean
-// radius. OpenVDB's step is h^2 / 6 in this time, ours h^2 / 4. Radii are those of the crossings of
-// the lattice's edges, for both.
+// "shrinks to .3" is the same motion to the same time: the ball shrinks by a Tension of 1 only,
+// exactly r^2 = 0.36 - 4 t, to r = 0.3. Prints the total seconds, and the final error of the mean
+// radius of the crossings of the lattice's edges. OpenVDB's step is h^2 / 6 in units of this time,
+// ours h^2 / 4.
 
 #include "Crossings.h"
 #include "Measuring.h"
@@ -43,7 +43,7 @@ openvdb::FloatGrid::Ptr MakeLevelSetBall(int n)
     static_cast<float>(StartRadius), openvdb::Vec3f(0.f), static_cast<float>(VoxelSizeOf(n)));
 }
 
-// Enough substeps for the clock, but so few that the number of voxels stays nearly constant.
+// Few substeps, so that the number of active voxels stays nearly constant.
 int CountSubsteps(int n)
 {
   return std::max(4, 1280 / n);

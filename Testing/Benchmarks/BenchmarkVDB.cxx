@@ -1,6 +1,7 @@
 /**
- * Time to write a skin into a .vdb file: its triangles, the exact distances to them, and the file
- * with its validation, in several compressions, by the size of its active values. Processor time.
+ * Processor time to write a skin into a .vdb file: for its triangles, the exact distances to the
+ * triangles, the grid, and the file in several compressions. The time of the file includes its
+ * validation, and is also printed as megabytes of active values per second.
  *
  *   BenchmarkVDB [voxel size, 0.01] [threads, 0: all]
  */

@@ -39,7 +39,6 @@ struct Contestant
   std::function<double()> Cost; //< measures itself, so that preparations do not count
 };
 
-/** Costs of each contestant, measured in turns. */
 std::vector<Costs> MeasureInTurns(const std::vector<Contestant>& contestants, int repetitions);
 
 /** Subject of a figure. */

@@ -183,7 +183,7 @@ MorphScene MakeBallToTorus(double radius)
 
 MorphScene MakeMeshToMesh(double radius)
 {
-  // The two bodies are at most 0.4 radius apart.
+  // The two bodies are less than half a radius apart.
   const auto reach = static_cast<float>(0.5 * radius + Margin);
   const Mesh start = MakeHeadWithEars(radius);
   MorphScene scene;

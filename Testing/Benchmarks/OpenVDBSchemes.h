@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-/** HJWENO5_BIAS everywhere, TVD_RK1 to renormalise (three times a step), TVD_RK2 to morph. */
+/** HJWENO5_BIAS everywhere, TVD_RK1 for three renormalisations a step, TVD_RK2 to morph. */
 constexpr bool Default = false;
 /** FIRST_BIAS and TVD_RK1 everywhere, one renormalisation a step. */
 constexpr bool Cheapest = true;

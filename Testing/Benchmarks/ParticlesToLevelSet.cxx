@@ -7,7 +7,7 @@
 // the spheres, and the voxel size. Each output line holds seconds and the number of quads. The
 // spheres are joined (tools::ParticlesToLevelSet), smoothed by four steps of
 // LevelSetFilter::meanCurvature, and meshed (tools::volumeToMesh, no normals), all with OpenVDB's
-// defaults. Reading the file is off the clock.
+// defaults. The time to read the file does not count.
 
 #include "Measuring.h"
 

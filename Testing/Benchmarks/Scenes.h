@@ -40,8 +40,7 @@ struct TorusDistance
   }
 };
 
-/** Ten equal balls along x; the first ones are moved along y. Radius and spacing are such that the
- * balls fill Box. */
+/** Ten equal balls in a row as long as Box, along x. Y displaces the first `Moving` balls. */
 struct RowOfBalls
 {
   static constexpr int Count = 10;
@@ -95,9 +94,7 @@ protected:
   Distance Form;
 };
 
-/** A ball that oscillates along x, faster than a tenth of a voxel per substep, so that no leaf
- * converges.
- */
+/** A ball that oscillates along x, so that leaves do not converge. */
 class MovingBall : public FormulaTarget<BallDistance>
 {
 public:
@@ -108,7 +105,6 @@ public:
   void MoveTo(double time) override { this->Form.X = 0.1 * std::sin(3.0 * time); }
 };
 
-/** Advances a number of substeps of any length. */
 inline AdvanceReport AdvanceSubsteps(
   NarrowBand& band, int substeps, const Motion& motion, Target& target)
 {

@@ -19,8 +19,8 @@ SECONDS = {
     "dam": (0.104, 0.049),
 }
 
-# Other figures of quality.py. The page has the pool's p95, the flicker and the splash's isolated
-# particles. The rest was measured later, with that version.
+# Other figures of quality.py. Testing/README.md of the commit has the pool's p95, the flicker and
+# the splash's isolated particles. The other figures were measured later, with the commit's code.
 QUALITY = {
     "pool": {
         "flatness, mean [deg]": 0.75,
@@ -55,8 +55,8 @@ QUALITY = {
     "ball": {"lag at 2 r per frame [voxels]": 0.010},
 }
 
-# large.py, voxels of one particle radius: seconds per frame and bytes per particle, and
-# splashsurf's; medians of three runs.
+# large.py, voxels of one particle radius: medians of three runs of (seconds per frame, bytes per
+# particle), ours and splashsurf's.
 LARGE = {
     250_000: ((1.1, 1900), (0.77, 950)),
     1_000_000: ((3.4, 1800), (2.15, 640)),

@@ -14,7 +14,7 @@ import numpy as np
 
 VDW = {"H": 1.2, "C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}  # Angstrom
 
-# The settings RECOMMENDED of skin_makers.py, as options of the program.
+# The settings RECOMMENDED of skin_makers.py, as options of the program splashsurf.
 SPLASHSURF = (
     "-l 2.0 -c 1.0 -t 0.6 --mesh-smoothing-weights=on --mesh-smoothing-iters 25 "
     "--mesh-cleanup=on --normals=on --normals-smoothing-iters 10 -q"

@@ -49,9 +49,9 @@ class Aim:
         return worst, best, self.limit / worst if self.at_most else worst / self.limit
 
 
-# "shrinks" is the tension to the same time, with an error: ours is the smaller one. `before` of
-# morphs: either scheme of substeps. `before` of particles (SUM, without Transport, voxels of r and
-# 0.5 r): the faster scheme. Source: Testing/README.md of that commit.
+# "shrinks" is a motion by tension to the same time, at which our error is the smaller one. Source
+# of `before`: Testing/README.md of b67f7a4. For morphs, `before` is of either scheme of substeps,
+# for particles (SUM, without Transport, voxels of r and 0.5 r) of the faster scheme.
 AIMS = [
     Aim(
         "default scheme [ns per active voxel, substep]",

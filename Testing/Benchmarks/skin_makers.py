@@ -57,9 +57,9 @@ def living_skin(config):
     return LivingSkin(name.strip(), pairs)
 
 
-# Settings of the README of splashsurf 0.14.1, "Recommended settings" and "Weighted surface
-# smoothing". A kernel of two particle radii, thresholds of 0.6 to 0.7, cubes of 0.5 to 1 radius,
-# which are the voxels here, and one of two removals of slivers before the smoothing.
+# Settings from the README of splashsurf 0.14.1, "Recommended settings" and "Weighted surface
+# smoothing". That page recommends thresholds of 0.6 to 0.7, cubes (here: voxels) of 0.5 to 1
+# particle radius, and one of two methods to remove slivers before the smoothing.
 RECOMMENDED = {
     "smoothing_length": 2.0,
     "iso_surface_threshold": 0.6,
