@@ -1,7 +1,7 @@
 # The modules with all their symbols: tests and benchmarks use symbols that the libraries hide. They
-# link these targets and never the libraries, which would be second copies.
+# link these targets and never the libraries, whose symbols would be second copies.
 #
-# active_add_inside(<module> <target>...): Inside<module>, and its linked targets.
+# active_add_inside(<module> <target>...): adds Inside<module>, linked to the other targets.
 function (active_add_inside module)
   if (TARGET Inside${module})
     return()

@@ -1,5 +1,5 @@
-// Moves surfaces with every kind of motion, and prints a hash of each potential: the same lines on
-// any processor. Run: MotionBytes
+// Moves surfaces with every kind of motion, and prints a hash of each potential. The output is the
+// same on any processor. Run: MotionBytes
 
 #include "Support/AnalyticShapes.h"
 

@@ -1,5 +1,5 @@
-// Point sets and meshes of arbitrary points, cells and arrays: missing point numbers, cells without
-// points, arrays of any type and of a wrong length.
+// Point sets and meshes of arbitrary points, cells and arrays: cells of absent points, cells
+// without points, arrays of any type and of a wrong length.
 
 #ifndef FuzzData_h
 #define FuzzData_h
@@ -19,8 +19,8 @@ namespace activesurface
 
 constexpr int MostPoints = 24, MostCells = 12, MostCorners = 6;
 constexpr const char* ArrayNames[] = { "size", "id", "weight", "velocity" };
-// Centre of shapes of size 4. A shape across the origin allocates eight of OpenVDB's largest nodes,
-// of half a megabyte each, instead of one, and makes an execution three times as long.
+// Centre of shapes of size 4. A shape across the origin would allocate eight of OpenVDB's largest
+// nodes instead of one, which makes an execution three times as long.
 constexpr double Center = 16;
 
 inline void AddPoints(FuzzInput& input, vtkPolyData* data)
@@ -69,8 +69,8 @@ inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData
     for (int component = 0; component < array->GetNumberOfComponents(); ++component)
     {
       const double number = input.TakeNumber();
-      // Integer arrays get integers: other values may not be representable. As radii these are
-      // small, because one radius of 100 makes a leaf search of a hundred milliseconds.
+      // Integer arrays get integers: other values may not be representable. The integers are
+      // small: as a radius, 100 would make the search of leaves take a hundred milliseconds.
       const bool isFloating =
         array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
       array->SetComponent(i, component, isFloating ? number : input.Below(8));

@@ -40,7 +40,7 @@ public:
 
   int Below(int limit) { return this->Take<std::uint8_t>() % limit; }
 
-  // Returns mostly numbers on the scale of a shape of size 1, sometimes any number at all.
+  // Returns mostly numbers of [-2, 2), sometimes any number at all, or NaN.
   double TakeNumber()
   {
     const int kind = this->Below(16);

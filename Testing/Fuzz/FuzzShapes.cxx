@@ -22,7 +22,7 @@ namespace
 
 constexpr std::size_t MaximumNumberOfActiveVoxels = 2000;
 
-// Finds arrays by name. The input bytes select the arrays that are chosen.
+// Chooses the arrays that the bits of `choices` select, by their names.
 class FuzzArrays : public ChosenArrays
 {
 public:
@@ -146,7 +146,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   catch (const std::invalid_argument&)
   {
-    // The data are unusable, or do not fit together.
+    // The data are unusable, or the two time steps do not fit together.
   }
   catch (const std::runtime_error&)
   {

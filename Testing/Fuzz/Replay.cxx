@@ -1,4 +1,4 @@
-// Gives a fuzzer the files of a folder, without libFuzzer: so each build compiles the fuzzers, and
+// Gives a fuzzer the files of a folder, without libFuzzer. So each build compiles the fuzzers, and
 // its tests run their corpus. Ignores options of libFuzzer.
 
 #include <cstddef>

@@ -110,7 +110,7 @@ def find_all_candidates():
         for path in sorted((ROOT / "Filters").rglob("*"))
         if path.suffix in (".h", ".cxx")
         and path.name not in LEFT_OUT
-        # Inline setters of a wrapped header are VTK's; a wrapper would not parse more.
+        # VTK's wrappers parse these headers, but could not parse the code of mutants.
         and not (path.name.startswith("vtk") and path.suffix == ".h")
     ]
     return [

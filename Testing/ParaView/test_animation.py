@@ -25,8 +25,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "Python"))
 from properties import needed_values, other_values, rows_of  # noqa: E402
 
 ROWS = rows_of(active_implicit_surfaces.vtkActiveImplicitSurface)
-# A second value of each property, including properties without effect on a skin over particles: by
-# rules, or one that leaves enough of the coarse splash.
+# A second value of each property, by rules or from this list.
 OTHER_VALUES = {name: values[0] for name, row in ROWS.items() if (values := other_values(row))} | {
     "Anisotropy": 1,
     "Attraction": 40,
@@ -52,7 +51,7 @@ OTHER_VALUES = {name: values[0] for name, row in ROWS.items() if (values := othe
 # Inputs, read-only properties, and properties without a valid second value over these particles.
 NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"} | set(IN_USE)
 del OTHER_VALUES["ArrivalTime"]
-# Changes are invisible in the second step: other times are published, or the input's times apply.
+# Properties whose second value leaves the skin at time 2 as it is.
 WITHOUT_EFFECT = set(
     """
     BoundedDomain CFL CheckpointInterval CheckpointMemory

@@ -256,8 +256,8 @@ class EXR(Files):
         self.assertEqual(seen.sum(), (values_of(layers, "Z") < render.FAR / 2).sum())
         self.assertGreater(seen.sum(), 1000)
         places, normals = (values_of(layers, name)[seen].astype(float) for name in ("P", "N"))
-        # The middle of a facet, of 1/64 of a turn in both directions, is nearer to the center by
-        # the sagitta. The depth buffer's 24 bits add less than 1e-4 here.
+        # The middle of a facet, at most 1/64 of a turn in both directions, is nearer to the center
+        # by the sagitta. The depth buffer's 24 bits add less than 1e-4 here.
         sagitta = 0.5 * (1 - numpy.cos(numpy.pi / 64) ** 2)
         distances = numpy.linalg.norm(places, axis=1)
         self.assertLess(abs(distances - 0.5).max(), sagitta + 1e-4)

@@ -55,8 +55,8 @@ class Functions(unittest.TestCase):
         self.assertEqual(len(skins), len(OFFERED))
 
     # F = r^2 - R^2 of vtkSphere has the first-order distance (r^2 - R^2) / 2r. F decreases by
-    # exp(-4 t), to r = 0.5845. Marching cubes are off by h^2 / 8r = 0.003. Steps of CFL / 4 =
-    # 0.0125 in time are off by half a step's displacement, 0.0125 * 4 * 0.13 / 2 = 0.003.
+    # exp(-4 t), to r = 0.5845. Linear interpolation is off by h^2 / 8r = 0.003, substeps of
+    # CFL / 4 = 0.0125 by half of a substep's displacement, 0.0125 * 4 * 0.13 / 2 = 0.003.
     def test_a_small_ball_grows_towards_a_larger_one(self):
         surface = ball(InitialFunction="Sphere", CFL=0.05)
         surface.InitialFunction.Radius = 0.4
@@ -82,7 +82,7 @@ class Functions(unittest.TestCase):
         fresh.TargetFunction.Input = line
         self.assertEqual(skin_bytes(fresh, 0.3), after)
 
-    # The surface is at 0.4542 of the radius of influence on either side, and at the ends.
+    # The surface is at 0.4542 of the kernel radius from the line, also beyond the line's ends.
     def test_clip_cuts_along_a_skeleton(self):
         clip = Clip(Input=Wavelet(), ClipType="Skeleton Potential")
         clip.ClipType.Input = PolyLineSource(Points=[-5, 0, 0, 5, 0, 0])

@@ -40,7 +40,7 @@ ELSEWHERE = {
     | {row.name for row in rows_of(SURFACE_CLASS).values() if row.group == "Particles"},  # no input
     ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # set by Input
     ("implicit_functions", "GridPotential"): {"InputConnection"},
-    # The filter that ParaView puts after each source loses the metadata of an image without arrays.
+    # ParaView puts a filter after each source, which loses the metadata of an image without arrays.
     ("sources", "ActiveVDBReader"): {"OutputDense"},
     ("writers", "ActiveVDBWriter"): {"Controller", "InputData"},  # set by Input
     ("sources", "ActiveEXRReader"): set(),
@@ -60,8 +60,7 @@ OTHER_DEFAULTS = {
     (SCREENSHOT, "ColorEncoding"): [1],  # a view's colors are for a display
 }
 DECORATOR = "PropertyWidgetDecorator"  # shows a property in some cases only
-# Always shown in the filter's panel, as are ParticleModel and ParticleSpacing if the input is no
-# image.
+# Shown in the filter's panel for every input.
 ALWAYS_SHOWN = """
     Attraction Tension EvolutionMode VolumeControl InitialFunction ObstacleFunction TimeScale
     VoxelSize Input ComputeNormals ComputeVelocity ComputeCurvature Initial
@@ -181,7 +180,7 @@ class Proxies(unittest.TestCase):
                 with self.subTest(f"{key[1]}.{name}"):
                     text = prop.GetDocumentation().GetDescription()
                     comment = comment_of(kind, name)
-                    # Names of properties have the spaces of their labels.
+                    # In the text, names of properties have spaces, as in their labels.
                     self.assertEqual("".join(text.split()).find("".join(comment.split())), 0)
 
     def test_every_property_of_the_panel_is_in_one_group(self):

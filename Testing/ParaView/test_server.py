@@ -150,7 +150,7 @@ def start_server():
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = ["mpirun", "-np", str(RANKS)] if RANKS > 1 else []
-    # This program is an MPI run of its own, and the server does not belong to it.
+    # This program is an MPI run of its own, whose variables the server must not inherit.
     server = subprocess.Popen(
         [*command, PVSERVER, f"--server-port={port}"],
         env={k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_"))} | MPI,

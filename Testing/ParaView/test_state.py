@@ -66,7 +66,7 @@ class Data(unittest.TestCase):
         surface.UpdatePipeline(3)
         for port, suffix in enumerate((".vtp", ".vti", ".csv")):
             file = str(FOLDER / f"saved{suffix}")
-            # ParaView 5.11 cannot read appended data with the newest libexpat of Debian 12.
+            # With the newest libexpat of Debian 12, ParaView 5.11 cannot read appended data.
             mode = {} if suffix == ".csv" else {"DataMode": "Binary"}
             SaveData(file, proxy=OutputPort(surface, port), **mode)
             read = OpenDataFile(file)

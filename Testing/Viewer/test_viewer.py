@@ -129,8 +129,7 @@ class Page(unittest.TestCase):
         box = page.locator(".time .v-slider-track").bounding_box()
         place = box["x"] + (box["width"] - 1) * (frame - 1) / (FRAMES - 1)
         page.mouse.click(place, box["y"] + box["height"] / 2)
-        # The browser shows the frame at once, and the time when the server has sent it with the
-        # picture.
+        # The browser shows the frame's number at once, but the time only with the server's picture.
         time = f"{(frame - 1) / 25:.3g}"
         expect(page.locator(".frame")).to_contain_text(f"frame {frame} of {FRAMES}, time {time}")
 
@@ -172,7 +171,7 @@ class Page(unittest.TestCase):
         self.scrub(page, FRAMES)
         self.wait_until_done(page)
         after = is_water(self.picture(page, "last"))
-        # The block has fallen by 0.7 of the visible 0.8 + 0.7; rows count from below.
+        # The block has fallen by 0.7 of the visible height, 0.8 + 0.7. Rows count from below.
         rows = [numpy.nonzero(water)[0].mean() for water in (before, after)]
         self.assertLess(rows[1], rows[0] - 0.2 * len(before))
 
@@ -191,8 +190,8 @@ class Page(unittest.TestCase):
         expect(page.locator("span.voxel_size")).to_have_text("0.1")  # the voxel size follows
         self.wait_until_done(page)
         expect(page.locator(".save-vtp")).to_be_enabled()
-        # The corners are rounded by two spacings instead of one. The visible area of a cube of 8
-        # changes by more than a tenth.
+        # Twice the spacing rounds the corners more, and changes more than a tenth of the block's
+        # pixels.
         page.locator(".note .v-alert__close button").click()  # a note about particles outside
         expect(page.locator(".note")).to_have_count(0)
         after = is_water(self.picture(page, "after_drag"))
@@ -236,7 +235,7 @@ class Page(unittest.TestCase):
         else:
             self.assertEqual(saved.GetNumberOfPolys(), skin.GetNumberOfPolys())
             places = [vtk_to_numpy(one.GetPoints().GetData()) for one in (saved, skin)]
-            # .obj has six digits, and the estimated spacing is 0.1 up to the file's rounding.
+            # An .obj has six digits. The spacing, estimated from .csv files, is 0.1 up to rounding.
             self.assertLess(abs(places[0] - places[1]).max(), 1e-5)
 
     def test_an_error_is_told_and_what_was_made_can_be_seen(self):

@@ -14,7 +14,7 @@ import active_implicit_surfaces
 
 TESTING = Path(__file__).resolve().parents[1]
 OPENVDB = "libopenvdb-*.so.10.*"  # version of the baseline
-# VTK 9.7 orders the corners of the triangles of a quadrangle differently from VTK 9.1.
+# VTK 9.7 cuts a quadrangle into triangles whose corners have another order than in VTK 9.1.
 CUT_BY_VTK = {"mesh", "mesh_moves"}
 
 
