@@ -151,8 +151,7 @@ def image():
     return surface
 
 
-# Properties to test again in scenes other than the first, because they have a larger or a different
-# effect there.
+# Properties that have a larger or another effect in these scenes than in the first one.
 SCENES = {
     penalties: "Tension AreaStiffness VolumeStiffness TargetArea TargetVolume CFL",
     exact_volume: "Tension TargetVolume VolumeControl AreaControl",

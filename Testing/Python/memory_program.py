@@ -48,7 +48,8 @@ def main():
     _, surface = splash()
     surface.SetVoxelSize(0.018)
     surface.SetNumberOfThreads(2)
-    # Starts the threads now: glibc ends a program that has no memory for a thread's own variables.
+    # Starts the threads before memory is limited: glibc ends a program that has no memory for a
+    # thread's own variables.
     surface.UpdateTimeStep(0)
     task, more, file = sys.argv[1:]
     potential = vtkGridPotential()

@@ -22,7 +22,7 @@ BASE = {
     "MaximumNumberOfSubsteps": 30,
 }
 BOX = (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)
-# Values other than a factor of two around those of test_restart.py.
+# Values instead of those from values_of_properties().
 SPECIAL = {
     "VoxelSize": (0.1, 0.15, 0.2),
     "MaximumNumberOfActiveVoxels": (300, 3000, 60000),
@@ -34,7 +34,7 @@ SPECIAL = {
 }
 ROWS = rows_of(vtkActiveImplicitSurface)
 
-# Values that are refused, also by the limit. Words stand for numbers without a Python literal.
+# Values with which an update fails. Words stand for NaN and infinity, which have no literal.
 REFUSED = (
     ("MaximumNumberOfActiveVoxels", 1),
     ("ModelBounds", (0.0, 1.0, 2.0, -2.0, 0.0, 1.0)),

@@ -301,7 +301,7 @@ class Case:
 
     def check_fresh(self):
         own, fresh = self.result(), self.fresh()
-        # A smaller limit stops a new motion, but keeps an existing skin.
+        # After the limit was reduced, a fresh filter fails, but this one keeps its skin.
         if "MaximumNumberOfActiveVoxels" not in own + fresh:
             assert own == fresh, f"a fresh filter gives {fresh}, this one {own}"
 

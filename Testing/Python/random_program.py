@@ -13,7 +13,7 @@ from random_checks import check
 from sanitized import SLOWNESS, limit_memory
 
 MEMORY = 2 << 30  # bytes of address space
-# A function that is not normalized, with AreaControl EXACT, can need 45.
+# With NormalizeTarget off and AreaControl EXACT, a case can need 45 seconds.
 SECONDS = 120 * SLOWNESS
 
 

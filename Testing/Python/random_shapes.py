@@ -382,7 +382,6 @@ def shape_of(kind):
     return lambda random: (kind(random), {})
 
 
-# Makers of targets, initial shapes and obstacles by their names.
 TARGETS = {kind.__name__: shape_of(kind) for kind in FUNCTIONS}
 TARGETS |= {kind.__name__: kind for kind in (*PARTICLES, *OTHERS)}
 INITIALS = {kind.__name__: shape_of(kind) for kind in (*FUNCTIONS, a_mesh, an_image)}

@@ -136,7 +136,7 @@ class RankedCase(Case):
         fresh.request(self.time)
         errors = [sentence_of(errors[0]) if errors else "" for _, errors in every]
         expected = [sentence_of(error) for error in fresh.listener.errors] or [""]
-        # A smaller limit refuses the way, but keeps what is there.
+        # After the limit was reduced, a fresh filter fails, but the ranks keep their skin.
         if "MaximumNumberOfActiveVoxels" in "".join((*errors, *expected)):
             return ""
         if any(error != expected[0] for error in errors):

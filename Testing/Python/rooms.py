@@ -1,6 +1,6 @@
 """The rooms of Filters, for test_layering.py: one stack. A room may include those below it."""
 
-# From the bottom up. A module's own folder, such as "LevelSet", is a room as well.
+# Rooms from the bottom up. A module's own folder, such as "Surfaces", is a room as well.
 STACK = (
     "LevelSet/Base",
     "LevelSet/Ranks",
@@ -41,9 +41,9 @@ PRIVATE = {
     "Files/Validation",
     "Particles/Nodes",
 }
-# Modules of which the first may not include the second.
+# Pairs of modules: the first one must not include the second.
 APART = {("Surfaces", "IO")}
-# Rooms that know nothing of the project but these headers.
+# Rooms that include no other headers of the project than these.
 ALONE = {
     "Files/Validation": ("LevelSet/Base/OpenVDB", "LevelSet/Base/CompilerBuiltins"),
     "IO/EXR": ("IO/Common/FileError", "Files/FileReplacement"),

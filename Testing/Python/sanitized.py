@@ -5,7 +5,7 @@ import os
 import resource
 
 IS_SANITIZED = hasattr(ctypes.CDLL(None), "__asan_init")
-# Set by the preset; line counters are slow too.
+# Set by the presets with sanitizers, and by the preset coverage, whose line counters are slow too.
 SLOWNESS = int(os.environ.get("ACTIVE_TEST_SLOWNESS", "1"))
 
 

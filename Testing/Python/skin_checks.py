@@ -4,7 +4,7 @@ import numpy
 from shapes import points_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# Unit vectors have single precision: three squares, their sum and the root round by 2^-24 each.
+# Unit vectors are computed in single precision, with a few roundings of 2^-24.
 UNIT = 4 * 2.0**-24
 # Fraction of a voxel within which rounding may change the sign at a node.
 ON_THE_SKIN = 1e-3

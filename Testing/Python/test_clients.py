@@ -29,7 +29,7 @@ class Clients(CommandTest):
         steps = numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(3)])
         heat = numpy.tile(numpy.arange(125.0), (3, 1))
         numpy.savez("p.npz", positions=steps, heat=heat, ids=numpy.tile(numpy.arange(125), (3, 1)))
-        # Heights are along z. The option declares z as up; in a .glb up is y.
+        # z is up here; the .glb is turned, so that y is up.
         self.common = ("skin", "p.npz", "--particle-spacing", 0.1, "--up", "z", "--quiet")
 
     def write(self, suffix):
@@ -87,7 +87,7 @@ class Clients(CommandTest):
         layers = {name: pixels[..., i] for i, name in enumerate(names)}
         covered = layers["A"] > 0.99
         self.assertLess(covered.mean(), 0.5, "the ground is a layer of its own")
-        # A pixel that moves along x during a frame is displaced by `forward`.
+        # `forward` is the displacement in pixels during a frame, here of 0.05 along x.
         matrix = numpy.reshape(image.spec().getattribute("worldToNDC"), (4, 4))
         points = numpy.stack([layers[f"P.{axis}"][covered] for axis in "XYZ"], -1).astype(float)
         moved = [numpy.c_[p, numpy.ones(len(p))] @ matrix for p in (points, points + [0.05, 0, 0])]

@@ -64,8 +64,7 @@ class Films(CommandTest):
             self.assertFalse(edge.any(), "the skin leaves the picture")
             middles.append(numpy.nonzero(water)[1].mean())
         self.assertEqual(middles, sorted(middles), "x goes to the right")
-        # The motion along x is 2 lengths of the lattice, 4 times its side, and fills most of the
-        # width.
+        # The lattice moves by 2, five times its side: the motion fills most of the width.
         self.assertGreater(middles[2] - middles[0], 0.4 * SIZE[0])
         self.assertEqual(self.hidden(), [])
         self.assertEqual(sorted(self.folder.glob("*.vtp")), [], "no skins, as none are named")
@@ -90,7 +89,7 @@ class Films(CommandTest):
         brightness = picture.sum(axis=2)
         self.assertGreater(brightness[water].max(), 1.3 * brightness[water].min(), "no shading")
         paper = numpy.rint(255 * numpy.array(scene.PAPER)).sum()
-        # At the left the ground is open: ambient occlusion leaves one or two percent there.
+        # Even far from the water, at the left, ambient occlusion darkens the ground by 1 or 2 %.
         background = numpy.median(brightness[:, 0])
         self.assertAlmostEqual(background, paper, delta=0.03 * paper, msg="the background")
         below = numpy.nonzero(water)[0].max() + 2

@@ -22,11 +22,11 @@ from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
 
-# Relative accuracy of a text file with 9 digits, or of a float, for coordinates below 1.
+# Rounding of coordinates below 1 to single precision, or to 9 digits of text.
 FLOAT = 6e-8
 VOXEL = 0.05
-# Volume error of a ball of radius 0.6. Between nodes distances are off by voxel^2 / 8 / radius, and
-# flat triangles remove as much again; times the area.
+# Volume error of a ball of radius 0.6: its area times an error of the radius. Linear interpolation
+# between nodes contributes voxel^2 / 8 / radius to this error, flat triangles as much again.
 LEVEL_SET_ERROR = 2 * VOXEL**2 / 8 / 0.6 * 4 * math.pi * 0.36
 
 
@@ -108,8 +108,8 @@ class Particles(CommandTest):
         self.assertEqual([numbers.GetValue(i) for i in range(3)], [8, 1, 1])
         self.succeed("skin", path, "--preset", "molecule", "-o", self.folder / "w_#.vtp")
         bounds = read_vtk(self.folder / "w_0.vtp").GetBounds()
-        # Oxygen's van der Waals radius is 1.52. The hydrogens' influence is on the other side (y >
-        # 0), and adds a little; a voxel is 0.32.
+        # Oxygen's van der Waals radius is 1.52. The hydrogens are on the other side (y > 0). The
+        # tolerance is half a voxel.
         self.assertAlmostEqual(bounds[2], -1.52, delta=0.16)
 
     def test_npz_with_frames_and_times(self):

@@ -84,7 +84,7 @@ class Skins(CommandTest):
                 output = self.folder / "s.####.vtp"
                 self.succeed("skin", self.folder / name, "-o", output, "--fps", 10)
                 last = read_shape(self.folder / "s.0011.vtp").GetCenter()[0]
-                # The lattice's middle is 0.2 and moves by 0.05 per frame. A voxel is 0.05.
+                # The lattice's middle is 0.2 and moves by 0.05 per frame. Half a voxel is 0.025.
                 self.assertAlmostEqual(last, 0.2 + 11 * 0.05, delta=0.025)
 
     def test_numbers_of_files_are_kept_and_gaps_are_gaps_in_time(self):

@@ -54,8 +54,8 @@ PRESETS = {
     for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
 }
 TARGETS = {"documentation"}
-# Testing/Wheel/run installs a wheel in the same way, ParaView's tests set the same path of plugins;
-# no test runs `ACTIVE_VTK=system pip install .`.
+# Commands that are not run here. Testing/Wheel/run installs a wheel with similar options, and
+# ParaView's tests set the path of plugins. No test runs `ACTIVE_VTK=system pip install .`.
 OTHERS = {
     "pip install 'pyvista[cvista]' build/wheel/dist/*.whl",
     "ACTIVE_VTK=system pip install .",

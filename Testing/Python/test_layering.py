@@ -24,7 +24,7 @@ NOT_FOR_WRAPPED_HEADERS = re.compile(
 )
 # Libraries that are built once, for VTK and for ParaView's VTK.
 NUMERICS = ("LevelSet", "Files")
-# Headers that many sources include. OpenVDB needs seconds to compile.
+# Headers that many sources include, so that each would need seconds to compile OpenVDB.
 WITHOUT_OPENVDB = (
     "LevelSet/NarrowBand.h",
     "LevelSet/Base/Obstacle.h",

@@ -262,7 +262,7 @@ class Frames(unittest.TestCase):
         names = ("particles", "others", "nothing", "others", "particles")
         surface = self.over(*names, kind=Unreliable)
         failures = 0
-        # Each attempt makes at least two steps, one of them new.
+        # Between two failures the source provides two steps, at least one of them new.
         while said_at(surface, 1.0):
             failures += 1
             self.assertLessEqual(failures, len(names))

@@ -79,8 +79,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
         surface.SetTargetFunction(ball(RADIUS))
         surface.UpdateTimeStep(6.0)
         self.assert_is_cap(surface)
-        # MaxSpeed excludes the pull into the ground, Attraction * 0.38. The remaining speed is at
-        # the rim, which is within a voxel of its place.
+        # MaxSpeed excludes the pull into the ground. What remains is the speed at the rim, which is
+        # within a voxel of its final position.
         self.assertLess(last(surface, "MaxSpeed"), 4 * VOXEL)
 
     def test_every_kind_of_input_starts_as_a_cap(self):

@@ -44,7 +44,7 @@ class Particles(unittest.TestCase):
 
     def test_the_skin_has_the_volume_of_the_particles(self):
         # A cube of side 1, whose 12 edges are rounded with at most the kernel radius, 2.25
-        # spacings. Each loses (1 - pi/4) of the radius squared.
+        # spacings. Rounding removes (1 - pi/4) of the radius squared from an edge.
         skin = active.skin(grid(10), **SPACING)
         lost = 12 * (1 - math.pi / 4) * 0.225**2
         self.assertAlmostEqual(volume_of(skin), 1.0, delta=lost)
@@ -222,7 +222,7 @@ class Series(unittest.TestCase):
     def test_every_kind_of_series_gives_the_same_skins(self):
         moving = moving_grid()
         wanted = self.centres(moving, fps=10)
-        # The lattice's middle is 0.2 and moves by 0.05 per frame; a voxel is 0.05.
+        # The lattice's middle is 0.2 and moves by 0.05 per frame. A quarter of a voxel is 0.0125.
         for step, centre in enumerate(wanted):
             self.assertAlmostEqual(centre, 0.2 + 0.05 * step, delta=0.0125)
         times = [0, 0.1, 0.2, 3 / 10]
@@ -309,8 +309,8 @@ class Live(unittest.TestCase):
         for options in ({}, SPACING, {"preset": "viscous"}, {"transport": 0.0}):
             with self.subTest(options):
                 if "preset" in options:
-                    # A preset uses the usual interval of a series. For the live one that is the
-                    # first dt.
+                    # A preset uses the median interval of a series, but the first dt of a
+                    # LiveSurface. Both are 0.1 here.
                     self.assertEqual(numpy.median(numpy.diff(times)).round(9), 0.1)
                 wanted = [bytes_of(f.skin) for f in active.frames(moving, times=times, **options)]
                 live = active.LiveSurface(**options)

@@ -25,7 +25,7 @@ FUNCTIONS = {
     "render.capture": render.capture,
     "render.camera_matrices": render.camera_matrices,
 }
-# A tuple, an exception, and a class whose methods raise; the pages describe them too.
+# Public names that are no functions: a tuple, an exception, and a class whose methods raise.
 OTHERS = {"Frame", "ActiveSurfaceWarning", "LiveSurface"}
 WITHOUT_ERRORS = {"render.camera_matrices", "TemporalSource"}  # the attribute `failure` holds them
 QUANTITIES = {"times", "fps", "duration", "frame_duration", "far"}

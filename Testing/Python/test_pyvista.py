@@ -116,8 +116,8 @@ class Accessor(unittest.TestCase):
         picture = plotter.screenshot(os.environ.get("ACTIVE_PICTURE"), return_img=True)
         plotter.close()
         covered = (picture.astype(int).sum(axis=2) < 3 * 255).sum() * (across / size) ** 2
-        # The covered area is inside the skin's bounds, and contains the square of the particles'
-        # centres.
+        # The covered area is less than that of the skin's bounds, and more than that of the square
+        # of the particles' centres.
         x0, x1, y0, y1, _, _ = skin.bounds
         pixel = across / size
         self.assertLess(covered, (x1 - x0 + 2 * pixel) * (y1 - y0 + 2 * pixel))

@@ -41,7 +41,8 @@ FOUND = (
         "target": ("unmatched_particles", 29845),
         "operations": [("fail", 0.522947349948669), ("time", 0.7082218516460795)],
     },
-    # Other pieces got the time of the input's step, or a time beyond the last one.
+    # Pieces other than the first got the time of the input's step, or a time beyond the last one,
+    # instead of the requested time.
     {
         "target": ("unmatched_particles", 754407),
         "operations": [("piece", 1.0, 1, 3), ("time", 0.8)],
@@ -57,7 +58,7 @@ FOUND = (
         "properties": {"ParticleModel": 0},
         "operations": [("time", 0.1)],
     },
-    # The skin function, first requested after a failure of the input, did not have the skin.
+    # After a failure of the input, the skin function was not that of the kept skin.
     {
         "target": ("moving_skeleton", 451632),
         "operations": [("save and load",), ("fail", 1.0), ("time", 0.0)],
@@ -86,7 +87,7 @@ FOUND = (
             ("time", 0.7769081287213302),
         ],
     },
-    # A state loaded beyond an empty first step used the spacing of another step than the run.
+    # After a state was loaded, the spacing was estimated from another step than before.
     {
         "target": ("blocks", 518),
         "properties": {"ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
@@ -98,7 +99,7 @@ FOUND = (
         "properties": {"TargetIsoValue": -1.0, "ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
         "operations": [("time", 0.6), ("save and load",), ("time", 0.78)],
     },
-    # Two steps were empty, and the skin moved differently once particles had been read.
+    # With two empty steps, the motion depended on whether later steps had been read.
     {
         "target": ("births_and_deaths", 632483),
         "initial": ("a_mesh", 830424),
@@ -115,13 +116,14 @@ FOUND = (
             ("time", 0.4844346128063809),
         ],
     },
-    # After an error about too many active voxels the same skin was returned.
+    # After an error about too many active voxels, the next request had a skin and no error.
     {
         "target": ("unmatched_particles", 607979),
         "properties": {"InvertTarget": 1},
         "operations": [("time", 1.0), ("time", 0.9)],
     },
-    # With Transport and evaluation at nodes, ghosts were limited, but not those of a loaded state.
+    # With Transport and evaluation at nodes, the number of ghosts was limited, but not after
+    # loading a state.
     {
         "target": ("table", 910850),
         "initial": ("some_balls", 251552),
@@ -134,7 +136,7 @@ FOUND = (
         },
         "operations": [("time", 0.75), ("save and load",), ("time", 0.9885261906695527)],
     },
-    # A checkpoint was restored with a bound on values beyond 1000 voxels.
+    # A bound meant for the node scheme changed restored values beyond 1000 voxels.
     {
         "target": ("skeleton", 786669),
         "properties": {
@@ -233,7 +235,6 @@ def main():
         if kind_of(failure) not in told:
             told.add(kind_of(failure))
             report(case, failure)
-    # Checks that the cases are useful: most requests show a skin.
     few = not failures and sums["skins"] < 0.6 * sums["requests"]
     if few:
         print("Less than 60 % of the requests show a skin: the cases are of little use.")

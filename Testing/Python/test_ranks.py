@@ -19,7 +19,7 @@ PROGRAM = Path(__file__).with_name("ranks_program.py")
 SIZES = (1, 2, 3, 4)
 SAME = ("splash", "emitter", "table", "meshes", "image", "skeleton", "grid", "morph", "live")
 SHARED = ("shared", "shared_back", "shared_fine", "shared_walls", "shared_estimate")
-# A run takes seconds. A rank that waits for another one waits for ever.
+# Limit of a run, which takes seconds: a rank that waits for an absent rank waits for ever.
 LONGEST = 120
 
 
@@ -137,8 +137,8 @@ class Ranks(unittest.TestCase):
         folder = self.folder()
         start(3, "splash", folder)
         counts = [len(part["triangles"]) for part in load(folder, "splash_2", 3)]
-        # The costs of a leaf, at most 8 * 8 * 8 voxels of at most 5 triangles, at either end; here
-        # a leaf of the skin holds far less.
+        # Parts are divided between leaves, so they differ by about the triangles of a leaf at
+        # either end.
         self.assertLess(max(counts) - min(counts), 600, counts)
 
     def test_points_at_borders_are_the_same_points(self):

@@ -17,7 +17,7 @@ from properties import clamped_values, other_values, refused_values, restarts, r
 
 ROWS = rows_of(vtkActiveImplicitSurface)
 PLAIN = {name for name, row in ROWS.items() if row.kind != "object"}
-# Tests with values or properties by rules.
+# Tests that take properties and their values from rules, not from lists.
 BY_RULES = """
     Python/properties.py Python/test_help.py Python/test_property_values.py
     Python/test_properties.py Python/test_extremes.py Python/random_cases.py

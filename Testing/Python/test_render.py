@@ -40,7 +40,7 @@ DURATION = 0.25
 CHORD = RADIUS * (2 - math.cos(math.pi / AROUND) - math.cos(math.pi / 2 / (DOWN - 1)))
 POSITION = numpy.array([1.0, 2.0, 5.0])
 ANGLE, SCALE = 30.0, 1.3
-# At grazing rays tolerances grow without bound: such pixels are not compared.
+# Least cosine between ray and normal: tolerances at grazing rays grow without bound.
 STEEPEST = 0.2
 
 
@@ -179,7 +179,7 @@ class Layers(unittest.TestCase):
         near, distant = camera_range
         # Step of a depth buffer of 24 bits, in world units.
         step = (distant - near if parallel else depth**2 * (1 / near - 1 / distant)) / 2**24
-        # Three steps: half a step of rounding, and single precision of its inputs.
+        # Three steps allow for rounding by half a step, and for inputs in single precision.
         along = CHORD / steep + 3 * step + 1e-6
         off = numpy.abs(layers["Z"] - depth)
         self.assertLess((off / along)[looked_at].max(), 1.0, "Z")
@@ -189,8 +189,8 @@ class Layers(unittest.TestCase):
         off = numpy.linalg.norm(layers["N"] - normals, axis=1)
         self.assertLess((off * RADIUS / along / ray / 2)[looked_at].max(), 1.0, "N")
         motion = project(places + DURATION * SPEED, parallel) - project(places, parallel)
-        # A point nearer by `along` moves more by that fraction; the factor 2 allows for its own
-        # motion in depth.
+        # The motion in pixels of a point nearer by `along` is larger by along / depth. The factor 2
+        # allows for the point's motion in depth.
         share = 1e-5 if parallel else 2 * along / depth + 1e-5
         most = numpy.linalg.norm(motion, axis=1) * share
         off = numpy.linalg.norm(layers["forward"] - motion, axis=1)
@@ -210,7 +210,7 @@ class Layers(unittest.TestCase):
                 self.assertTrue((layers["Z"][nothing] == numpy.float32(render.FAR)).all())
                 for name in ("N", "P", "forward"):
                     self.assertFalse(layers[name][nothing].any(), name)
-                # A silhouette of flat triangles loses pixels, and never gains one.
+                # The silhouette of flat triangles is within that of the ball.
                 self.assertFalse((~nothing & missed).any())
                 self.assertLess((nothing & ~missed).sum(), 40)
 
@@ -267,7 +267,7 @@ class Layers(unittest.TestCase):
             pictures.append(layers["RGBA"])
             depths.append(layers["Z"][layers["id"] == 1])
         self.assertTrue((pictures[0] == pictures[1]).all(), "the colors do not differ")
-        # Single precision of vertices, 1e-7, times the slope of pixels at the rim, some hundreds.
+        # Single precision of vertices, 1e-7, times the slope of the ball at the rim, some hundreds.
         self.assertLess(numpy.abs(depths[1] - depths[0] - 0.01).max(), 1e-4)
 
     def test_the_file_holds_the_layers(self):

@@ -147,7 +147,7 @@ def samples():
 
 
 ROWS = rows_of(vtkActiveImplicitSurface)
-# Scenes, and values of the properties in these, where the rules below do not know any.
+# (scene, another value) for properties for which the rules of cases_of() have none.
 CASES = {
     "Anisotropy": [(body_of_particles, 1.0)],
     "Attraction": [(morph, 2.0), (followed_particles, 1.0)],

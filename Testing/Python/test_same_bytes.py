@@ -21,7 +21,7 @@ import same_bytes_targets  # noqa: F401
 from same_bytes import RUNS, THREADS, hash_of
 
 TABLE = Path(__file__).resolve().parents[1] / "Baselines" / "hashes.json"
-# OpenVDB's own meshToVolume makes these; other versions may give other bytes.
+# Group of runs whose meshes go through OpenVDB's meshToVolume: other versions may differ.
 BY_OPENVDB = "meshes by OpenVDB"
 OPENVDB = 10
 # Runs that cover all kernels, for each number of threads and each instruction set.

@@ -73,10 +73,10 @@ class SkeletonPotential(unittest.TestCase):
         potential.SetInput(data)
         potential.SetRadiusArrayName("size")
         potential.SetStrengthArrayName("weight")
-        # Halfway the radius is 2; at half of it Wyvill's kernel is (3/4)^3.
+        # Halfway along the line the radius is 2. At half of this radius Wyvill's kernel is (3/4)^3.
         self.assertAlmostEqual(potential.FunctionValue(2, 1, 0), 0.5 - 0.75**3, delta=1e-15)
         self.assertEqual(potential.FunctionValue(0, 9, 0), 0.5 + 2)
-        # The slope there is -27/16 per radius, upwards.
+        # At half of the radius 2 above the vertex, the kernel's slope is -27/16 per radius.
         gradient = potential.FunctionGradient(0, 10, 0)
         self.assertAlmostEqual(gradient[1], -2 * 27 / 16 / 2, delta=1e-15)
         bounds = [0.0] * 6

@@ -96,9 +96,9 @@ class SphDrop(unittest.TestCase):
             fall = after - 2 * now + before
             self.assertAlmostEqual(fall, -GRAVITY * FRAME**2, delta=4 * ROUNDING + 1e-6)
 
-    # No particle is faster than a free fall of the topmost one, at 1.03 downwards, to the lowest
-    # height ever reached: sqrt(1.03^2 + 2 g 1.606) = 5.7, or 0.228 per frame. The data's fastest
-    # particle moves by 0.178 (step 9 to 10), a margin of 28%.
+    # The limit is the speed of the topmost particle, which starts at 1.03 downwards, after a free
+    # fall to the lowest height: sqrt(1.03^2 + 2 g 1.606) = 5.7, or 0.228 per frame. The fastest
+    # particle moves by 0.178.
     def test_no_particle_outruns_free_fall(self):
         highest = max(point[1] for point in self.frames[0])
         lowest = min(point[1] for frame in self.frames for point in frame)

@@ -102,9 +102,8 @@ class Splash(unittest.TestCase):
     def test_is_closed_and_manifold_at_each_step(self):
         self.assertEqual([step for step in range(STEPS) if not self.closed[step]], [])
 
-    # Distances are measured in both directions, so that a drop without skin is detected. The
-    # package promises half a voxel. A lag of 1/100 s behind a fluid whose surface moves at 1 per
-    # second is a third of a voxel.
+    # Distances are measured in both directions, so that a drop without skin is detected. A skin
+    # 1/100 s behind a surface that moves at 1 per second is off by a third of a voxel.
     def test_is_within_half_a_voxel_of_the_particles_surface(self):
         for step, distances in enumerate(self.distances):
             self.assertLess(max(distances), 0.5, f"at step {step}")

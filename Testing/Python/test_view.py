@@ -82,8 +82,8 @@ class TheBox(CommandTest):
         moving = moving_grid(200)
         moving[50, 3] = numpy.nan
         held = self.held(moving)
-        # The first and the last frame count. The margin is 2 % of the longest side, or 1.2 times
-        # the spacing, 0.1.
+        # The view contains the first and the last frame. The margin is the larger one of 2 % of the
+        # longest side and 1.2 times the spacing, 0.1.
         self.assertTrue(numpy.isfinite(held).all())
         length = 199 * 0.05 + 0.4
         self.assertGreater(0.02 * length, 1.2 * 0.1)
@@ -94,8 +94,8 @@ class TheBox(CommandTest):
         strays = numpy.array([[9.0, 0.2, 0.2], [0.2, 0.2, -9.0]])
         # 2 of 627: less than 0.5 % at a side.
         held = self.held(numpy.concatenate([*[grid()] * 5, strays]))
-        # The heap's side 0.4, a quarter of it, and the margin. The margin is 2 %, or 1.2 times the
-        # spacing, which is 0 for coincident particles.
+        # The heap of side 0.4 is extended by a quarter of its side, and by a margin of 2 %. The
+        # spacing, 0 for coincident particles, adds nothing.
         self.assertAlmostEqual(held[:, 0].max(), 0.4 * 1.25 + 0.02 * 0.5, places=6)
         self.assertAlmostEqual(held[:, 2].min(), -0.4 * 0.25 - 0.02 * 0.5, places=6)
 

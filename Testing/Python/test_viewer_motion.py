@@ -62,7 +62,7 @@ class TheMotion(unittest.TestCase):
             self.assertAlmostEqual(value, wanted[name], msg=name)
         self.make_all()
         before = places(self.motion.skins[-1])
-        # An explicit value instead of an estimate changes only the last digits.
+        # The explicit value differs from the default only in the last digits, and so do the skins.
         self.motion.sliders = {**self.motion.sliders, "kernel_radius": 2.25 + 1e-12}
         self.motion.restart()
         self.make_all()
@@ -94,7 +94,7 @@ class TheMotion(unittest.TestCase):
         whole = self.motion.skins[-1]
         # Voxels are twice as large: a quarter of the points.
         self.assertLess(preview.GetNumberOfPoints(), 0.4 * whole.GetNumberOfPoints())
-        # Both are surfaces of the same particles, each accurate to its own voxel.
+        # Both are surfaces of the same particles, with errors below their voxels.
         coarse = viewer_motion.COARSE * self.motion.values()["voxel_size"]
         for near, true in zip(preview.GetBounds(), whole.GetBounds(), strict=True):
             self.assertLess(abs(near - true), coarse)

@@ -51,7 +51,7 @@ int x; // Returns what the band is.
 """
 
 
-# Words of the list in their ordinary senses.
+# Listed words in their ordinary senses, which are no findings.
 ORDINARY = """It takes ten minutes. The points are in place, on a round surface, along both ways.
 In this way a wheel has room for particles. The water is at rest. The header says so: --alone.
 """

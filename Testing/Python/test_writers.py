@@ -162,7 +162,7 @@ class Writers(CommandTest):
         widths = {own.shape[1] for name, own in found.items() if name.startswith("_")}
         self.assertEqual(widths, {1}, "Blender fails at several")
         numpy.testing.assert_array_equal(found["NORMAL"], self.normals())
-        # glTF's colours are linear light: sRGB 188 of 255 is half of it.
+        # Colours of glTF are linear: half of the light is 188 of 255 in sRGB.
         self.assertAlmostEqual(numpy.interp(0.5, *light_of(self.colours, found)), 188, delta=3)
         look = described["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"]
         self.assertEqual(look, [1, 1, 1, 1])
