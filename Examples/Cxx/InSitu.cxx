@@ -1,5 +1,5 @@
-// A simulation of two blocks of particles that fly through one another, and its skin, which
-// advances in the simulation's own loop. A .vtp file is written for each frame.
+// Advances a skin within the loop of a simulation, in which two blocks of particles fly through one
+// another. Writes a .vtp file for each frame.
 //
 // Run: InSitu [--output <folder>]
 

@@ -10,11 +10,12 @@ import numpy as np
 GRAVITY = (0.0, -9.81, 0.0)
 SUPPORT = 2.0  # support radius of a particle, in spacings
 # Density of the interior relative to that of a cubic lattice. With this ratio, a settled pool of N
-# particles is as high as N spacing^3 over its floor.
+# particles fills the volume N spacing^3.
 REST = 0.963
 ITERATIONS = 4
 SOFTNESS = 0.05  # of a constraint, relative to the stiffness within a lattice
-# Fraction of the kernel that counts behind a wall: the part of a lattice's next layer.
+# Factor of the density behind a wall. With this factor, a wall half a spacing away counts as much
+# as the next layer of a lattice.
 WALL = 0.63
 XSPH = 0.03  # fraction of the neighbours' mean velocity that a particle adopts in each substep
 COURANT = 0.4  # spacings that the fastest particle moves in a substep
@@ -157,7 +158,8 @@ def pairs_within(places, reach):
     cells, sorted_places = cells[order], np.take(places, order, axis=1)
     here = np.arange(len(cells))
     firsts, seconds = [], []
-    # Three adjacent cells are a range of the sorted ones. Only later rows are searched.
+    # Three adjacent cells of a row are a range of the sorted particles. The search covers only
+    # later particles, so it finds each pair once.
     for step in (0, row, layer - row, layer, layer + row):
         begin = here + 1 if step == 0 else np.searchsorted(cells, cells + step - 1, "left")
         count = np.searchsorted(cells, cells + step + 1, "right") - begin

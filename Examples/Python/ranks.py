@@ -28,7 +28,7 @@ controller = vtkMPIController()  # VTK does not hold the global one: keep it
 controller.Initialize()
 vtkMultiProcessController.SetGlobalController(controller)
 ranks, folder, moments = MPI.COMM_WORLD, output_folder(__doc__), []
-# Given, as no rank knows the particles of the others, and all have to use the same.
+# With a given spacing, no rank has to receive whole frames to estimate the spacing.
 live = LiveSurface(particle_spacing=SPACING, number_of_threads=1)
 for frame in range(PICTURED[-1] + 1):
     places = particles_at(frame / RATE)

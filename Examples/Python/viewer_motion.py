@@ -5,7 +5,7 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.presets import estimate_spacing
 from active_implicit_surfaces.series import TemporalSource
 
-# Property: least, greatest and first value of its slider, and the unit of the slider.
+# By property: least, greatest and first value of its slider, and the slider's unit.
 SLIDERS = {
     "particle_spacing": (0.5, 2.0, 1.0, lambda v: v["estimated_spacing"]),
     "kernel_radius": (1.5, 4.0, 2.25, lambda v: v["particle_spacing"]),
@@ -55,7 +55,7 @@ class Motion:
         before."""
         first = max(0, step - RUN_UP)
         options = {**self._options(), "voxel_size": COARSE * self.values()["voxel_size"]}
-        # The frame after it is needed for the motion of the particles.
+        # The motion of the particles at `step` needs the next frame too.
         run = iter(active.frames(self._source(first, step + 2), **options))
         for _ in range(first, step):
             next(run)
