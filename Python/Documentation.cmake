@@ -1,5 +1,5 @@
-# The target `documentation_python`: pages of the package's docstrings in
-# <build folder>/documentation/python, by Sphinx with numpydoc. The target `documentation` makes them too.
+# The target `documentation_python` makes pages from the package's docstrings by Sphinx with
+# numpydoc, in <build folder>/documentation/python. The target `documentation` includes this target.
 
 execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import sphinx, numpydoc"
   RESULT_VARIABLE sphinx_is_missing OUTPUT_QUIET ERROR_QUIET)
@@ -7,7 +7,7 @@ if (sphinx_is_missing OR SKBUILD)
   return()
 endif ()
 
-# conf.py writes pages to its own folder.
+# Sphinx runs on a copy, because conf.py writes pages to its own folder.
 set(pages "${CMAKE_BINARY_DIR}/documentation/python-pages")
 add_custom_target(documentation_python
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${pages}"

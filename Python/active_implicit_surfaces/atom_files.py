@@ -18,8 +18,8 @@ _DEFAULT = "species:S:1:pos:R:3"
 _PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
 _SYMBOLS = ("species", "element", "elements", "symbol", "symbols", "name", "atom_name")
 _NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
-# In atoms' names, the letter after C, H, N, O, P or S is a position in the molecule, as in CA and
-# HG, except in the names of the elements _UNPLACED.
+# In atoms' names in capitals, the letter after C, H, N, O, P or S is a position in the molecule, as
+# in CA and HG, except in the names of the elements _UNPLACED.
 _PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
 _ALONE = "CHNOPSBDFIK"  # elements of one letter that may begin a longer atom name
 _IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's

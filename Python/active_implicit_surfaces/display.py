@@ -40,7 +40,7 @@ def find_display() -> None:
 
 def _start_server() -> str:
     """Starts Xvfb and returns the display number that Xvfb has chosen."""
-    # -noreset keeps the state when the last window closes; otherwise the next window fails.
+    # Without -noreset, Xvfb resets when the last window closes, and the next window fails.
     command = "Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp"
     server = subprocess.Popen(
         command.split(),

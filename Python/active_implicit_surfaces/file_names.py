@@ -165,7 +165,7 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
         )
     numbers = _numbers_in([path.name for path in found])
     parts = [numbers.split(path.name) for path in found]
-    # Unlike *, #### does not fit the names of another series, as run_* fits run_old_1.
+    # Prefers #### to *, because run_* would also match run_old_1, a name of another series.
     are_whole = all(number.lstrip("-").isdigit() for own in parts for number in own[1::2])
     series = Counter(("####" if are_whole else "*").join(own[::2]) for own in parts)
     if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):

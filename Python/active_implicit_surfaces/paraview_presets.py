@@ -16,7 +16,7 @@ from .presets import PRESETS, apply_preset
 from .series import TemporalSource
 
 _RADIUS = 0  # index of SetInputArrayToProcess
-# Lengths that users set too: kept, unless another preset has set them.
+# Properties that users set too: kept, unless the value is that of another preset.
 _LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 
 

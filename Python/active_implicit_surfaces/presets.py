@@ -22,8 +22,8 @@ PRESETS = {
     "grains": "for piling sand and beads: separate balls; radii: --radii, array radius, or spacing",
     "paper": "the published scheme (kernels), for comparison: each particle is visible",
 }
-# The kernel WYVILL, (1 - q^2)^3, has the value ATOM_LEVEL at q = 0.7947. With kernels little larger
-# than the atoms, touching atoms merge only near their contact.
+# The kernel WYVILL, (1 - q^2)^3, has the value ATOM_LEVEL at q = 0.7947. Because kernels are only
+# slightly larger than the atoms, touching atoms merge only near their contact.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _RADII = 0  # index of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are searched
@@ -46,7 +46,7 @@ def apply_preset(
     step = (interval or median_step(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
-        # The speed is proportional to a sum of kernels, which decreases by about 1 over a radius.
+        # The speed is proportional to a sum of kernels, which falls by about 1 over half a spacing.
         surface.SetAttraction(_STEPS / step * 0.5 * spacing)
     else:
         _smooth(surface, spacing, options.get("attraction"), step)

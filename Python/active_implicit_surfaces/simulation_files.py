@@ -23,8 +23,8 @@ from .tables import FIELD, SYMBOLS, Frame, Frames, group_columns, number
 
 _BGEO, _NEWER_BGEO = b"BgeoV", b"\x7fNSJ"
 _BGEO_TYPES = {0: ">f4", 1: ">i4", 4: ">i4", 5: ">f4"}  # 4: the index of a text
-# Pattern of the start of a frame in a dump. _OPENINGS: suffixes of the position columns (xs, xu,
-# ...); s: fraction of the box, u: unwrapped.
+# _DUMP: start of a frame. _OPENINGS: suffixes of the position columns (as in xs, xu and xsu), s for
+# fractions of the box, u for unwrapped positions.
 _DUMP = re.compile(
     rb"^(?:ITEM: UNITS\r?\n.*\n)?(?:ITEM: TIME\r?\n(?P<time>.*)\n)?ITEM: TIMESTEP", re.MULTILINE
 )

@@ -177,6 +177,6 @@ def _draw(window: Any, renderer: Any, values: Any, name: str, count: int) -> Any
         values.SetInputComponentToProcess(component)
         window.Render()
         drawn.append(vtk_to_numpy(values.GetFloatImageDataArray(renderer)).astype(float))
-    # Replaces NaN of the background, for which comparisons are false.
     numbers = numpy.stack(drawn, axis=1) if count > 1 else drawn[0]
+    # The background is NaN, and comparisons with NaN are false.
     return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)

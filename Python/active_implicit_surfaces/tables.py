@@ -27,7 +27,7 @@ POSITIONS = (
 )
 _OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # of columns only
 _LENGTHS = ("m", "mm", "cm", "km", "um", "nm", "in", "ft")
-# Vectors that may be the positions, the most certain first.
+# Names of vectors that may be the positions, the most certain first.
 _RANKS = {name: rank for rank, name in enumerate(("", *POSITIONS, *_OTHERS, *_LENGTHS, "p"))}
 _AXES = dict(zip("xyzijk012", 3 * (0, 1, 2)))
 _UNIT = re.compile(r"\s*[\[(](?![ijkxyz012][\])])[^])]*[\])]\s*$", re.IGNORECASE)
@@ -37,7 +37,7 @@ _AXIS_LAST = re.compile(
 _AXIS_FIRST = re.compile(r"([xyz])[-:_. /]?(.+)", re.IGNORECASE)
 _TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
 _SEPARATORS = ("\t", ";", "|", ",", None)  # None: whitespace
-# "Na" is no empty cell, but sodium.
+# "Na" is absent, because it is sodium.
 _MISSING = frozenset(("", "-", *"na NA n/a N/A null Null NULL none None NONE".split()))
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")

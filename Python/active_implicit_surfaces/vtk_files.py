@@ -178,7 +178,7 @@ def _check_obj(path: Path) -> None:
         if cells[0] in counts:
             counts[cells[0]] += 1
         elif cells[0] in (b"f", b"l", b"p"):
-            # Negative numbers count from the last point so far.
+            # Negative indices count back from the last vertex before this line.
             faces.append((cells[1:], tuple(counts.values())))
     whole = tuple(counts.values())
     for corners, so_far in faces:

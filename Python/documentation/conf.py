@@ -21,7 +21,7 @@ html_theme_options = {"page_width": "1100px", "font_family": "sans-serif"}
 html_sidebars = {"**": ["globaltoc.html", "searchbox.html"]}
 html_show_sourcelink = html_copy_source = False
 
-# PyVista need not be there for its accessor's page.
+# A substitute for PyVista, so that the accessor's page does not need PyVista.
 sys.modules["pyvista"] = pyvista = ModuleType("pyvista")
 pyvista.DataSet = object
 pyvista.register_dataset_accessor = lambda name, kind: lambda accessor: accessor

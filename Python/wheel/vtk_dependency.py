@@ -6,7 +6,7 @@ Called by scikit-build-core when it writes the wheel's metadata.
 import os
 from importlib.metadata import version
 
-# ACTIVE_VTK: the distribution with the SDK, and that of the libraries.
+# By value of ACTIVE_VTK: the distribution with the SDK, and the one with the libraries.
 SDKS = {"cvista": ("cvista-sdk", "cvista[all]"), "sdk": ("vtk-sdk", "vtk")}
 
 

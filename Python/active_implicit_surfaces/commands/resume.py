@@ -114,8 +114,8 @@ class Resumption(Sink):
         if kind is None and not self._is_kept:
             self.forget()
         elif self._done > self._first:  # else the state has been saved
-            # After an error the filter is still at the last finished frame, and this error has to
-            # be reported.
+            # After an error the filter is still at the last finished frame. An OSError of saving
+            # must not replace the first error.
             with nullcontext() if kind is None else suppress(OSError):
                 self.save(self._way.surface, self._way.times, self._done, now=True)
 
