@@ -1,4 +1,4 @@
-"""Closed surface of an image: the filter's initial skin, so no triangle is degenerate."""
+"""Closed surface of an image, made as the filter's initial skin: no triangle is degenerate."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Reads files by readers of VTK and of this package; their errors become OSError.
+"""Reads files by readers of VTK and of this package; the readers' errors become OSError.
 
-VTK's readers of .obj and .stl accept any bytes, or crash, so these files are checked before. Of an
-.obj, colours and digits that VTK drops are read here, and VTK's array of group numbers is removed.
+VTK's readers of .obj and .stl accept any bytes, or crash, so this module checks such files first.
+From an .obj, this module reads colours and digits that VTK drops, and it removes VTK's array of
+group numbers.
 """
 
 from __future__ import annotations
@@ -178,7 +179,7 @@ def _check_obj(path: Path) -> None:
         if cells[0] in counts:
             counts[cells[0]] += 1
         elif cells[0] in (b"f", b"l", b"p"):
-            # Negative indices count back from the last vertex before this line.
+            # Negative indices count back from the last v, vt or vn before this line.
             faces.append((cells[1:], tuple(counts.values())))
     whole = tuple(counts.values())
     for corners, so_far in faces:

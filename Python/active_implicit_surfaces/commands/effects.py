@@ -1,8 +1,8 @@
-"""Rejects options without effect in a run, naming where they act; warns if they need a series.
+"""Rejects options that have no effect in a run, or warns if an option only needs a series.
 
 A run has facts: words such as "render", and the value of each choice and switch of the filter, such
-as "particle_model=sum". An option has rows of facts: from _ACTING, and from the group and
-the comment of its property. The option acts if the run has at least one fact of each row.
+as "particle_model=sum". An option has rows of facts, from _ACTING and from the group and the
+comment of the option's property. The option acts if the run has at least one fact of each row.
 """
 
 from __future__ import annotations
