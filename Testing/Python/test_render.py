@@ -189,8 +189,8 @@ class Layers(unittest.TestCase):
         off = numpy.linalg.norm(layers["N"] - normals, axis=1)
         self.assertLess((off * RADIUS / along / ray / 2)[looked_at].max(), 1.0, "N")
         motion = project(places + DURATION * SPEED, parallel) - project(places, parallel)
-        # The motion in pixels of a point nearer by `along` is larger by along / depth. The factor 2
-        # allows for the point's motion in depth.
+        # The motion in pixels of a point nearer by `along` is larger by the fraction along / depth.
+        # The factor 2 allows for the point's motion in depth.
         share = 1e-5 if parallel else 2 * along / depth + 1e-5
         most = numpy.linalg.norm(motion, axis=1) * share
         off = numpy.linalg.norm(layers["forward"] - motion, axis=1)
