@@ -5,8 +5,9 @@ Run: python3 converged.py [--scenes pool,slosh,splash,...] [--size N] [--every N
 
 The converged run makes explicit substeps with a CFL of 0.1, with default values of all other
 properties. The other runs differ from the defaults by their own properties. Columns, over all
-frames after the first four: mean and 99th percentile of the distances from a run's vertices to the
-converged skin [voxels], number of frames with another number of parts, and seconds per frame.
+frames after the first four: mean and 99th percentile of the distances from every fifth vertex of a
+run to the converged skin [voxels], and number of frames in which the two skins have different
+numbers of parts. The last column is the median of seconds per frame, without the first frame.
 Voxels are one particle radius. Scenes are those of quality.py. Needs minutes for each scene.
 """
 
@@ -45,7 +46,6 @@ def arguments():
 
 
 def distances(skin, converged):
-    """Distances of some vertices; empty if one of the skins is empty."""
     if 0 in (skin.GetNumberOfPolys(), converged.GetNumberOfPolys()):
         return []
     distance = vtkImplicitPolyDataDistance()

@@ -3,19 +3,16 @@
 The scene is a static pool of particles with random displacements, new in each frame, of standard
 deviation 0.1 of the kernel radius along each axis.
 A viewer should see a level that does not move. Flicker is the rms of the second difference in time
-of the surface's height over fixed columns, for
+of the surface's height over fixed columns [spacings], for
 - frame by frame: the iso-surface of each frame's particles, vtkFlyingEdges3D over
   vtkSkeletonPotential;
 - the living skin, vtkActiveImplicitSurface with ParticleModel SUM and without Transport, for
-  several Attractions [1/frame], Tensions [square of the particles' spacing / frame] and CFLs; the
-  first is what to begin with;
+  several Attractions [1/frame], Tensions [square of the particles' spacing / frame] and CFLs;
 - splashsurf, if the Python package pysplashsurf is there, with its weighted smoothing.
 
 "lag" is that of a pool that rises steadily without a jitter, in frames: the cost of a low
 Attraction. "level" is the distance of the mean height from that frame by frame, in spacings: the
-cost of a high Tension, as the pool's rim recedes. A skin with a small Attraction makes few
-substeps, and evaluates the particles at the beginning of each. A small CFL averages them over a
-frame.
+cost of a high Tension, as the pool's rim recedes.
 
 Run: python3 flicker.py, with active_implicit_surfaces on PYTHONPATH. Takes about a minute.
 """
@@ -66,7 +63,6 @@ SKINS = (
 
 
 def rest():
-    """Staggered layers, so that adjacent layers have no particles directly below each other."""
     places = [
         (i + 0.5 * (k % 2), j + 0.5 * (k % 2), k)
         for k in range(DEEP)
@@ -168,7 +164,6 @@ def splashsurf(places):
 
 
 def history(surfaces):
-    """Heights, one row for each frame from FIRST on."""
     return numpy.array([heights(surface) for surface in surfaces])[FIRST:]
 
 

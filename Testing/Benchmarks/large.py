@@ -4,12 +4,13 @@ pysplashsurf.
 Run: python3 large.py [--voxel 1,0.5] [<particles> ...]   (default: 250000 1000000 4000000)
 
 The scene is a pool half as deep as wide, without walls, under waves as high as a tenth of its
-width. Its particles are 2 r apart, with random displacements of an eighth of that. The filter gets
-the spacing, the voxels and the ids. splashsurf has the settings of quality.py, with and without its
-cleanup of the mesh ("no cleanup"). Each maker has a separate process, and the makers make each
-frame in turns; frames after the first one count. "over splashsurf" is the ratio of the medians of
-seconds: above 1 the row is faster. Memory is the peak of a maker, less its memory after reading the
-particles, over their number. b67f7a4 is that commit, measured at another time.
+width. Its particles are 2 r apart, with random displacements whose standard deviation along each
+axis is an eighth of that. The filter gets the spacing, the voxels and the ids. splashsurf has the
+settings of quality.py, with and without its cleanup of the mesh ("no cleanup"). Each maker has a
+separate process, and the makers make each frame in turns; frames after the first one count. "over
+splashsurf" is the ratio of the medians of seconds: above 1 the row is faster. Memory is the peak of
+a maker, less its memory after the particles were made, over their number. The row b67f7a4 has the
+figures of that commit, measured at another time.
 
 Needs one to two minutes per million particles at voxels of r, two to four at 0.5 r, and up to 6 kB
 per particle.
@@ -66,8 +67,8 @@ def peak():
 
 
 def make_when_asked(name, particles, voxel):
-    """For each line of input makes a frame, and prints the number of particles, the seconds, and
-    the bytes per particle so far."""
+    """Makes a frame for each line of input. Prints the number of particles, the seconds, and the
+    peak so far of bytes per particle."""
     (maker,) = [maker for maker in all_makers() if maker.name == name]
     scene = pool(particles)
     begun, count = begin_peak(), len(scene.frames[0][0])
@@ -83,7 +84,6 @@ def begin(name, particles, voxel):
 
 
 def ask(process):
-    """Numbers of the line that the process prints for its next frame."""
     process.stdin.write("\n")
     process.stdin.flush()
     line = process.stdout.readline()

@@ -5,7 +5,8 @@ Run: python3 particles.py quick|full <threads> <path of ParticlesToLevelSet>
 
 Scenes: the splash in Testing/Data (992 particles), and pools of 25,600 and 250,000 particles under
 waves. All particles have the radius r = 0.05 and are 2 r apart, 25 frames a second; voxel = 1, 0.75
-and 0.5 r. All contestants make the same frames in turns, and a ratio is that of a frame:
+and 0.5 r. All makers make the same frames in turns, and each ratio is of two times for the same
+frame:
 
 - frame: vtkActiveImplicitSurface with its defaults; triangles with normals. The first frame, the
   start, is reported separately, as later frames continue from it.
@@ -14,8 +15,8 @@ and 0.5 r. All contestants make the same frames in turns, and a ratio is that of
 - OpenVDB: ParticlesToLevelSet with spheres of 2 r, which close the gaps, four smoothing steps,
   volumeToMesh, without normals; in a process of its own (ParticlesToLevelSet.cxx).
 
-The cost of a converged frame is measured on the splash's last frame, repeated until the skin is in
-a steady state.
+For the cost of a steady frame, a frame of the splash is repeated eleven times after the start: the
+last three times count.
 
 Times are processor times with one thread, else wall times. quick omits the large pool, and the fine
 voxels of the smaller one. Lines and JSON are as in Measuring.h.
@@ -74,7 +75,6 @@ def pool(across, deep, count):
 
 
 def series_of(frames):
-    """Series with the times 0, 1, 2 ..."""
     return ParticleSeries([(frame,) for frame in frames], rate=1)
 
 
@@ -150,7 +150,6 @@ def compare(scene, frames, factor, program, folder):
 
 
 def hold_still(factor, count=12):
-    """Repeats one frame; reports the three first times after the start, and the three last."""
     surface = make_skin(series_of(splash(1) * count), factor * R)
     surface.UpdateTimeStep(0)
     costs = [seconds_of(lambda step=step: surface.UpdateTimeStep(step)) for step in range(1, count)]

@@ -1,5 +1,5 @@
-"""Quality of a skin over particles: size, flatness, drops, sheets, lag, flicker, births; prints
-a table.
+"""Quality of a skin over particles: size, flatness, drops, sheets, lag, flicker, births; prints a
+table.
 
 Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1,0.5] [--size 8000]
          [--config "name: Property=value ..."] ... [--label name] [--set Property=value ...]
@@ -8,14 +8,13 @@ Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1,0.5] [--size 8000]
 Each --config is a column: the filter after Set<Property>(value), with the voxel size and the ids,
 times in seconds. A value is a number, in particle radii if it ends in r (3.4r), in their squares if
 in r2. --set and --label add one column. By default, the columns are the filter's defaults and the
-values of Examples/Python/coat_particles.py. The next column has the figures of commit b67f7a4, for
-voxels of r and with seconds measured at another time. If pysplashsurf is installed, two columns
-have splashsurf with the settings that its README recommends, with and without its cleanup of the
-mesh ("no cleanup").
+configuration KernelRadius=3.4r ParticleThreshold=0.7 Attraction=100. The next column has the
+figures of commit b67f7a4, for voxels of r and with seconds measured at another time. If
+pysplashsurf is installed, two columns have splashsurf with the settings that its README recommends,
+with and without its cleanup of the mesh ("no cleanup").
 
-All makers make each frame in turns, at voxels of one particle radius r and then of 0.5 r; --voxel 1
-needs a quarter of the time. "speed over" is the ratio of the medians of seconds: above 1 the column
-is faster.
+All makers make each frame in turns, at voxels of one particle radius r and then of 0.5 r. "speed
+over" is the ratio of the medians of seconds: above 1 the column is faster.
 
 The scenes are those of Examples/Python/fluid_scenes.py. r is half of the particles' spacing. "rest"
 is the volume N (2 r)^3 and the height of this volume in the box:
@@ -28,9 +27,9 @@ is the volume N (2 r)^3 and the height of this volume in the box:
   whole cells (sides up to 2.6 r) and torn ones (a side beyond 4 r, which should give 0);
 - lag (ball): distance of the centre of the skin's volume behind that of the particles;
 - flicker: second difference in time of the top's height over fixed columns; for slosh it includes
-  the water's own acceleration, which is the same for all columns;
-- births (fountain, rain): frames until a new particle is inside; volume of a new drop's skin in its
-  first frame relative to that four frames later.
+  the water's own acceleration, which is the same for all makers;
+- births (fountain, rain): frames until a new particle is inside; in rain also the volume of a new
+  drop's skin in its first frame, relative to that four frames later.
 
 --pictures renders a frame of each scene, columns side by side (needs a display, as of `bash
 Testing/with_display`). Scenes are made at their first use, which takes minutes.
@@ -91,7 +90,6 @@ def before(name, voxel):
 
 
 def measure(name, scene, makers, voxel):
-    """For each maker its figures, and its skins."""
     frames = zip(*(maker.make(scene, voxel) for maker in makers), strict=True)  # in turns
     columns, skins = [], []
     for results in zip(*frames, strict=True):

@@ -5,8 +5,7 @@ Run: python3 rank_speed.py [<particles>]     (default: 250000)
 The pool is that of large.py. Each rank provides the particles of a slab and, if there are several
 ranks, has one thread. Times are those of the slowest rank until it has its part of the skin: the
 median of the frames after the first, and the first frame, which includes the start. Memory is the
-peak of a rank, less its memory before the first skin. If there are more ranks than cores, ranks
-share cores.
+peak of a rank, less its memory before the first skin, for the rank with the most.
 """
 
 import argparse
@@ -38,7 +37,6 @@ def find_ranks():
 
 
 def measure(particles, threads, is_parallel):
-    """Prints seconds per frame, seconds of the first frame, and MB."""
     controller, gather, rank, size = None, (lambda own: [own]), 0, 1
     if is_parallel:
         controller, gather, rank, size = find_ranks()

@@ -19,11 +19,11 @@ splashsurf is the program of the package pysplashsurf; protein needs scipy too. 
 Debian's VTK and a copy of Python, beside which SPlisHSPlasH finds its files:
 python3 -m venv --copies --system-site-packages env; env/bin/pip install 'numpy<2' pysplashsurf ...
 
-Seconds are those of the whole programs, which read and write files, per frame: wall clock and CPU.
-r is half of the particles' spacing. Flicker is the median of the second difference in time of the
-top's height over fixed columns. "closed" are the frames in which each edge has two triangles.
---pictures draws a frame, the columns side by side (needs a display, as of `bash
-Testing/with_display`).
+Seconds per frame, wall clock and CPU, are those of the whole programs, which read and write files;
+"seconds of the filters" are without files. r is half of the particles' spacing. Flicker is the
+median of the absolute second difference in time of the top's height over fixed columns. A mesh is
+"closed" if each edge has two triangles. --pictures draws a frame, the columns side by side (needs a
+display, as of `bash Testing/with_display`).
 """
 
 import argparse
@@ -57,7 +57,7 @@ PROGRAM = [sys.executable, "-m", "active_implicit_surfaces"]
 
 
 def ours(folder, *options):
-    """Skins by the program, in a new folder."""
+    """Runs active-surface skin with a folder for its skins; returns wall-clock and CPU seconds."""
     folder.mkdir(exist_ok=True)
     return peers.run([*PROGRAM, "skin", *options, "--quiet", "-o", folder / "skin_####.ply"])
 
@@ -67,7 +67,6 @@ def number_of(file):
 
 
 def meshes_in(folder):
-    """Triangles of each frame, in order."""
     files = [file for file in folder.iterdir() if file.suffix in READERS]
     for file in sorted(files, key=number_of):
         reader, surface = READERS[file.suffix](), vtkGeometryFilter()
@@ -81,7 +80,7 @@ def meshes_in(folder):
 
 
 def figures_of(folder, seconds, rest=None):
-    """Figures of a column; rest is a volume for each frame."""
+    """Returns a column of the table, and the skins; `rest` has a volume for each frame."""
     meshes = list(meshes_in(folder))
     skins = [Skin(mesh) for mesh in meshes]
     volumes = np.array([skin.volume() for skin in skins])
@@ -105,7 +104,7 @@ EXTREMES = {"least": np.min, "mean": np.mean, "greatest": np.max}
 
 
 def beside_splashsurf(folder, columns, files, spacing, counts):
-    """Adds splashsurf, and the figures of all columns."""
+    """Returns the table with the figures of the columns and of splashsurf."""
     columns["splashsurf"] = peers.splashsurf(files, folder / "splashsurf", 0.5 * spacing)
     table = {}
     for name, seconds in columns.items():
@@ -214,7 +213,6 @@ SLICES = [(1.2, 1.2, 4.0), (1.2, 1.2, 6.0)]  # spacings of voxels [mm]
 
 
 def slices(data, folder):
-    """Labels made from the brain's fraction of volume; folder has their meshes."""
     fraction, table = brain_of(data), {}
     truth = peers.level_of(fraction, 0.5)
     brain = Skin(truth)
@@ -281,7 +279,6 @@ PICTURES = {  # folders, frame, view
 
 
 def with_normals(mesh):
-    """The mesh if the file has normals, else with normals of its triangles."""
     if mesh.GetPointData().GetNormals():
         return mesh
     normals = vtkPolyDataNormals()

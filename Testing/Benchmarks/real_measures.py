@@ -16,7 +16,6 @@ def is_closed(mesh):
 
 
 def pieces_of(mesh):
-    """Number of connected parts; 0 for an empty mesh."""
     if mesh.GetNumberOfPolys() == 0:
         return 0
     parts = vtkPolyDataConnectivityFilter()
@@ -27,7 +26,7 @@ def pieces_of(mesh):
 
 
 def flicker(skins, spacing, first=30):
-    """Median of the second difference in time of heights [r], over the frames from `first`."""
+    """Median absolute second difference in time of the heights [r], from frame `first` on."""
     corners = skins[-1].corners.reshape(-1, 3)
     low, high = corners.min(axis=0), corners.max(axis=0)
     lines = [np.linspace(low[a] + 2 * spacing, high[a] - 2 * spacing, 20) for a in (0, 2)]
@@ -47,7 +46,6 @@ def faces_of(inside):
 
 
 def edge_angle(mesh):
-    """Mean angle between the normals of triangles that share an edge."""
     return angles_and_distances(mesh)[0].mean()
 
 
@@ -76,7 +74,8 @@ def angles_and_distances(mesh):
 def volume_with_probe(places, radii, probe, samples=200000):
     """Volume of a solvent-excluded body by random points, extrapolated to infinitely many dots.
 
-    A point is inside if no free dot, on the balls enlarged by the probe, is within the probe.
+    A point within the balls enlarged by the probe is inside if all free dots on these balls are
+    farther from the point than the probe's radius.
     """
     from scipy.spatial import cKDTree
 
@@ -93,7 +92,7 @@ def volume_with_probe(places, radii, probe, samples=200000):
 
 
 def free_dots(places, radii, count):
-    """Dots on balls that are in no other ball."""
+    """Dots on the surfaces of the balls, outside all other balls."""
     from scipy.spatial import cKDTree
 
     steps = np.arange(count) + 0.5

@@ -1,4 +1,4 @@
-"""Surfaces by other programs for real_data.py, as files.
+"""Surfaces by other programs and by single filters, for real_data.py.
 
 Run: python3 real_peers.py ovito METHOD PDB FOLDER, in a process of its own as OVITO brings Qt.
 """
@@ -43,13 +43,13 @@ def splashsurf(files, folder, radius):
 
 
 def ovito(method, atoms, folder):
-    """Surfaces of all frames by OVITO, METHOD is alpha or density."""
+    """Makes the surfaces of all frames by OVITO; `method` is alpha or density. Returns seconds."""
     folder.mkdir(exist_ok=True)
     return run([sys.executable, __file__, "ovito", method, atoms, folder])
 
 
 def run_ovito(method, atoms, folder):
-    """Van der Waals radii; alpha shape with OVITO's default probe of 4 A."""
+    """Uses van der Waals radii. The alpha shape's radius of 4 A is OVITO's default."""
     from ovito.io import export_file, import_file
     from ovito.modifiers import ConstructSurfaceModifier
 
@@ -72,7 +72,7 @@ def run_ovito(method, atoms, folder):
 
 
 def image_of(labels, affine):
-    """The labels as VTK's image; the affine map has no rotation."""
+    """Returns the values as VTK's image. The affine map must have no rotation."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -85,7 +85,7 @@ def image_of(labels, affine):
 
 
 def windowed_sinc(labels, label, affine):
-    """Meshes of a label by vtkDiscreteMarchingCubes, and by windowed sinc; the seconds."""
+    """Meshes by vtkDiscreteMarchingCubes and by windowed sinc, and the seconds of both together."""
     from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
     from vtkmodules.vtkFiltersGeneral import vtkDiscreteMarchingCubes
 
@@ -105,7 +105,6 @@ def windowed_sinc(labels, label, affine):
 
 
 def skin_of_label(labels, label, affine):
-    """The skin by vtkActiveImplicitSurface over a label; the seconds."""
     from active_implicit_surfaces import vtkActiveImplicitSurface
 
     surface = vtkActiveImplicitSurface()

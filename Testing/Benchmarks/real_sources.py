@@ -84,7 +84,7 @@ def make_splash(folder):
 
 
 def make_protein(folder):
-    """MDAnalysis: adenylate kinase, which closes, 10 of 98 frames of its tests as a .pdb."""
+    """MDAnalysis: adenylate kinase, which opens, 10 of 98 frames of its tests as a .pdb."""
     import MDAnalysis
     from MDAnalysisTests.datafiles import DCD, PSF
 

@@ -18,8 +18,6 @@ from pathlib import Path
 
 @dataclass
 class Aim:
-    """Aim for the figures of a part whose name and case match, with the same number of threads."""
-
     text: str
     limit: float
     part: str

@@ -61,7 +61,6 @@ class Skin:
         return heights
 
     def part_at(self, place):
-        """The part nearest to a point."""
         parts = vtkPolyDataConnectivityFilter()
         parts.SetInputData(self.data)
         parts.SetExtractionModeToClosestPointRegion()
@@ -71,13 +70,12 @@ class Skin:
 
 
 def neighbours(places, reach):
-    """Number of neighbours of each point."""
     pairs = pairs_within(np.asarray(places, float).T, reach)
     return np.bincount(np.concatenate(pairs), minlength=len(places))
 
 
 def clusters(places, reach):
-    """A label for each point; linked points have the same label."""
+    """Labels of the points: points connected by steps of at most `reach` have the same label."""
     first, second = pairs_within(np.asarray(places, float).T, reach)
     label = np.arange(len(places))
     while True:

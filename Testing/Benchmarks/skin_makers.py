@@ -21,7 +21,7 @@ except ImportError:
 
 
 class LivingSkin:
-    """The filter; each setting is (property, text), in time units of seconds."""
+    """The filter; each setting is (property, text), with times in seconds."""
 
     def __init__(self, name, settings):
         self.name, self.settings = name, settings
@@ -32,7 +32,6 @@ class LivingSkin:
                 )
 
     def make(self, scene, voxel):
-        """For each frame its skin, and its seconds."""
         series, surface = ParticleSeries(scene.frames, RATE), vtkActiveImplicitSurface()
         surface.SetInputConnection(series.GetOutputPort())
         surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
@@ -72,8 +71,6 @@ RECOMMENDED = {
 
 
 class SplashSurf:
-    """pysplashsurf with its recommended settings, except for those given."""
-
     def __init__(self, name, **others):
         self.name, self.settings = name, RECOMMENDED | others
 
@@ -92,7 +89,6 @@ class SplashSurf:
 
 
 def splash_surfs():
-    """Makers by pysplashsurf; an empty list if it is not installed."""
     if not pysplashsurf:
         return []
     return [SplashSurf("splashsurf"), SplashSurf("no cleanup", mesh_cleanup=False)]

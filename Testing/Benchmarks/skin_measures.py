@@ -40,7 +40,8 @@ def pool(scene, skins, voxel):
 
 
 def flatness(scene, skin, level):
-    """Angles of the top's triangles to the mean normal within 3 r, weighted by area."""
+    """Mean and 95th percentile, by area, of the top's angles [deg] to the mean normal within 3 r.
+    """
     r, centers = 0.5 * scene.spacing, skin.centers()
     inner = np.abs(centers[:, 1] - level) < 4 * r
     for axis in (0, 2):
@@ -78,7 +79,6 @@ def isolated(scene):
 
 
 def splash(scene, skins, voxel):
-    """Fractions of particles inside, over every fourth frame; volume, over all but the first."""
     everything = kept(scene, skins, 4, lambda frame: slice(None))
     volumes = [
         skin.volume() / (len(frame[0]) * scene.spacing**3)
@@ -93,8 +93,6 @@ def splash(scene, skins, voxel):
 
 
 def sheet(scene, skins, voxel):
-    """Fractions of the cells between four particles whose middle is inside, weighted by their
-    longest side. Cells with sides up to 2.6 r are whole; cells with a side beyond 4 r are torn."""
     across = round(len(scene.frames[0][0]) ** 0.5)
     amounts = {"whole": [0.0, 0.0], "torn": [0.0, 0.0]}
     for (places, _, _), skin in list(zip(scene.frames, skins))[1:]:
@@ -165,7 +163,8 @@ def rain(scene, skins, voxel):
 
 
 def first_volumes(scene, skins, later=4):
-    """Volume of each new drop's part of the skin, in its first frame over some frames later."""
+    """Compares the volume of each new drop's part of the skin with the volume `later` frames later.
+    """
     ratios, sizes, seen = [], [], set(scene.frames[0][2].tolist())
     for index in range(1, len(skins) - later):
         places, _, ids = scene.frames[index]
@@ -190,7 +189,7 @@ def first_volumes(scene, skins, later=4):
 
 
 def part_volume(scene, skin, frame, drop):
-    """Volume of the part about a drop; 0 if the nearest part belongs to something else."""
+    """Returns 0 if the part nearest to the drop belongs to something else too."""
     places = frame[0][np.isin(frame[2], drop)].astype(float)
     if skin.empty or len(places) == 0:
         return 0.0

@@ -57,16 +57,14 @@ def write_frames(path, particles, frames, fps):
 
 
 def say_encoding_by_default(path):
-    """Works around libexpat. VTK 9.1 passes the tag of the appended data to libexpat in pieces.
-    Since 2.6, and in Debian's 2.5.0-1+deb12u2, libexpat defers such pieces, unless the tag is
-    short."""
+    """Omits the encoding, base64 by default. VTK 9.1 passes the tag in pieces to libexpat, which
+    defers such pieces of a long tag since 2.6 and in Debian's 2.5.0-1+deb12u2."""
     text = Path(path).read_text()
     Path(path).write_text(text.replace('<AppendedData encoding="base64">', "<AppendedData>"))
 
 
 def say_ids_once(path):
-    """Names the ids once. They are the same at each time step and stored once, but named each
-    time: VTK 9.6 warns of each name except the first."""
+    """Keeps one of the ids' tags, which are equal: VTK 9.6 warns of each except the first."""
     text = Path(path).read_text()
     tag = re.compile(r'[ \t]*<DataArray[^>]*Name="id"[^>]*/>\n')
     once = re.sub(r' TimeStep="\d+"', "", tag.search(text)[0])

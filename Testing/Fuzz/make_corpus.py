@@ -1,4 +1,4 @@
-"""Writes the initial files of the fuzzers (Testing/Fuzz/Corpus), one of each kind.
+"""Writes the initial files of the fuzzers (Testing/Fuzz/Corpus).
 
 Run: python3 make_corpus.py, with the package and Testing/Python in PYTHONPATH
 """

@@ -12,7 +12,7 @@ Prints the survivors, and mutants that only a time-out detects. Needs the packag
 and about an hour.
 
 With --again only the mutants of an earlier output are tried, as far as the sources still contain
-their statements. After an addition of tests, this needs little more time than all tests once.
+their statements.
 """
 
 import argparse
@@ -104,7 +104,6 @@ def find_candidates(path):
 
 
 def find_all_candidates():
-    """(file, line number, text) of each candidate in all sources."""
     sources = [
         path
         for path in sorted((ROOT / "Filters").rglob("*"))
@@ -249,7 +248,6 @@ def find_reach(tests, pool):
 
 
 def try_mutant(number, tests, reached):
-    """Result of the tests for a mutant."""
     time_outs = 0
     for seconds, name in sorted(reached[number]):
         status, _ = run(tests[name], {"ACTIVE_MUTANT": str(number)}, 10 + 5 * seconds)
