@@ -40,8 +40,8 @@ def pool(scene, skins, voxel):
 
 
 def flatness(scene, skin, level):
-    """Mean and 95th percentile, by area, of the top's angles [deg] to the mean normal within 3 r.
-    """
+    """Mean and 95th percentile, by area, of the top's angles to the mean normal within 3 r
+    [deg]."""
     r, centers = 0.5 * scene.spacing, skin.centers()
     inner = np.abs(centers[:, 1] - level) < 4 * r
     for axis in (0, 2):
@@ -163,8 +163,7 @@ def rain(scene, skins, voxel):
 
 
 def first_volumes(scene, skins, later=4):
-    """Compares the volume of each new drop's part of the skin with the volume `later` frames later.
-    """
+    """Compares the volume of each new drop's part of the skin with that `later` frames later."""
     ratios, sizes, seen = [], [], set(scene.frames[0][2].tolist())
     for index in range(1, len(skins) - later):
         places, _, ids = scene.frames[index]
