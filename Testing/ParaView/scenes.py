@@ -10,7 +10,6 @@ DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 
 
 def splash(**properties):
-    """The skin over the splash, steps 0 to 40, and the reader of its particles."""
     particles = XMLPolyDataReader(FileName=str(DATA))
     return ActiveImplicitSurface(Input=particles, **(COARSE | properties)), particles
 
@@ -31,13 +30,13 @@ COARSE = {
 
 
 def skin_bytes(surface, time):
-    """Points, triangles and point arrays of the skin at a time, and the number of triangles."""
     surface.UpdatePipeline(time)
     return bytes_of(servermanager.Fetch(surface, idx=0))
 
 
 def triangles_at(surface, time):
-    """Bytes of each triangle's corners, points and normals, sorted."""
+    """Points and normals of each triangle as bytes, sorted, as ranks make triangles in another
+    order."""
     surface.UpdatePipeline(time)
     skin = servermanager.Fetch(surface, idx=0)
     assert skin.GetNumberOfPolys() > 100, "there is next to no skin"

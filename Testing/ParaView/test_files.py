@@ -48,7 +48,7 @@ def values_of(source, name, time=0.0):
 
 
 def grids_of(path):
-    """Names of the grids, metadata and reader, from the class itself."""
+    """Reads a .vdb without ParaView; returns names of the grids, metadata and the reader."""
     reader = vtkActiveVDBReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -67,7 +67,6 @@ class Files(unittest.TestCase):
         ResetSession()
 
     def path(self, name):
-        """Path of a file that does not exist yet."""
         path = FOLDER / name
         path.unlink(missing_ok=True)
         return path

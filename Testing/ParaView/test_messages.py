@@ -15,7 +15,6 @@ class Messages(unittest.TestCase):
         vtkOutputWindow.SetInstance(self.window)
 
     def show(self, surface):
-        """Requests all outputs, like the panel after Apply."""
         view = CreateView("RenderView")
         Show(surface, view)
         Render(view)

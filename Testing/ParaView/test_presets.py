@@ -81,7 +81,6 @@ class Presets(unittest.TestCase):
 
     @staticmethod
     def with_presets(radius, *names):
-        """A new surface with these presets, over particles with or without an array of radii."""
         surface, particles = splash(VoxelSize=-1, ParticleSpacing=-1, Attraction=-1)
         if radius:
             surface.Input = Calculator(Input=particles, ResultArrayName="radius", Function=radius)

@@ -1,4 +1,5 @@
-"""The plugin's proxies: all create; defaults, ranges, choices, texts are those of the classes."""
+"""All proxies of the plugin can be created, with the defaults, ranges, choices and texts of the
+classes."""
 
 import sys
 import unittest
@@ -72,7 +73,8 @@ def new_proxy(key):
 
 
 def every_property():
-    """(key, class, name, proxy's property) of all common properties except inputs and functions."""
+    """Yields (key, class, name, proxy's property) of the properties that the proxies and classes
+    share."""
     for key, kind in CLASSES.items():
         proxy = new_proxy(key)
         for name in own_properties(kind):

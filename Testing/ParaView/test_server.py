@@ -56,7 +56,6 @@ MPI = {
 
 
 def write_files():
-    """Writes a volume as .vdb, and a picture as .exr."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     wavelet = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
     for name in FILES:
@@ -90,13 +89,11 @@ def write_partitioned():
 
 
 def partitioned():
-    """Particles from pieces, read by each rank; and the same particles partitioned by space."""
     particles = OpenDataFile(str(FOLDER / "splash.pvtp"))
     return particles, RedistributeDataSet(Input=particles)
 
 
 def picture(surface, name):
-    """Pixels of a view of the skin."""
     view = CreateRenderView(ViewSize=[300, 200], OrientationAxesVisibility=0)
     shown = Show(surface, view)
     shown.ColorArrayName = [None, ""]
@@ -116,8 +113,6 @@ def picture(surface, name):
 
 
 def results(name):
-    """Skins, pictures, sizes of image and history, of a filter and of a source; also data that
-    were read."""
     write_partitioned()
     surface, _ = splash()
     found = [triangles_at(surface, time) for time in (3, 1, 3)]
