@@ -25,7 +25,6 @@ FAR = (0.5, 0.03, -0.02)
 
 
 def make_surface(**properties):
-    """A surface that starts as a ball on the left, away from the balls around FAR."""
     surface = vtkActiveImplicitSurface()
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     surface.SetVoxelSize(VOXEL)
@@ -109,7 +108,7 @@ class ItArrives(unittest.TestCase):
             self.assertAlmostEqual(radii.mean(), (core + 0.35) / 2, delta=VOXEL)
 
     def test_the_velocity_is_what_is_left_over_the_time_that_is_left(self):
-        """Speed of a ball that grows by 0.3 in the time. Distances are accurate to a voxel."""
+        """Distances are accurate to a voxel."""
         surface = make_surface(InitialFunction=ball(0.3), ComputeVelocity=1)
         surface.SetTargetFunction(ball(0.6))
         surface.UpdateTimeStep(0.0)

@@ -16,7 +16,6 @@ NAMES = ("ply", "obj", "stl", "glb", "vdb")
 
 
 def library(name):
-    """Imports the library, or skips the test."""
     try:
         return importlib.import_module(name)
     except ImportError:

@@ -41,9 +41,8 @@ class Skins(CommandTest):
             self.assert_has_volume_of_particles(files[step], step)
 
     def assert_has_volume_of_particles(self, file, step):
-        """N particles fill N cubes of their spacing, 0.1. Edges, of length 13 at the start and
-        longer in the splash, are rounded with at most the kernel radius, 0.225. A length of 1
-        loses (1 - pi/4) 0.225^2 = 0.011, and all edges of the splash a fifth of the volume."""
+        """N particles fill N cubes of their spacing, 0.1. Rounding of edges removes up to a fifth
+        of the volume."""
         from vtkmodules.vtkFiltersCore import vtkMassProperties
 
         measure = vtkMassProperties()

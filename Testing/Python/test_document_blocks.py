@@ -1,15 +1,16 @@
 # ctest: DISPLAY LONGER LABELS contract TIMEOUT 600
 """Every code block of every page works as described.
 
-- python: part of an example, or of test_pyvista.py, line by line; else run here, with data of the
+- python: consecutive lines of an example or of test_pyvista.py; else run here, with data of the
   names it uses.
-- cpp: part of an example, line by line.
+- cpp: consecutive lines of an example.
 - bash: `active-surface` is run here, without `--plot` if matplotlib is not installed. Other
-  commands are run by other tests, and name existing scripts, presets and targets.
+  commands are not run here: they name existing scripts, presets and targets, or are in OTHERS.
 - cmake: contents of the project Testing/Consumer.
 - no language: a drawing.
 
-One block of each page is run; with ACTIVE_LONG in the environment (Testing/run --long) all of them.
+The first block or command of each page that can run here is run; with ACTIVE_LONG in the
+environment (Testing/run --long) all of them.
 """
 
 import contextlib
@@ -71,15 +72,12 @@ def tidy(text):
 
 
 def contains(program, snippet):
-    """Returns true if the snippet's lines are consecutive in the program, with equal
-    indentation."""
     lines = program.splitlines()
     starts = range(len(lines) - len(snippet) + 1)
     return any(tidy("\n".join(lines[i : i + len(snippet)])) == snippet for i in starts)
 
 
 def arguments_of(command):
-    """Arguments of active-surface, without --plot if matplotlib is not installed."""
     return shlex.split(command if HAS_PLOTS else re.sub(r" --plot \S+", "", command))[1:]
 
 
@@ -174,7 +172,6 @@ class Blocks(CommandTest):
             exec(compile(body, "block", "exec"), self.names())
 
     def run_once(self, run, *arguments):
-        """Runs once per page, or always."""
         if RUN_ALL or not self.has_run:
             run(*arguments)
         self.has_run = True

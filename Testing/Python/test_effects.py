@@ -38,7 +38,6 @@ def another(own):
 
 
 def bytes_of(frames):
-    """Points and arrays of the last of several skins."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ActiveSurfaceWarning)
         *_, (_, skin) = frames

@@ -49,7 +49,6 @@ def coarse_splash():
 
 class Endurance(unittest.TestCase):
     def test_troubles_leave_no_trace(self):
-        """50 operations that are aborted, fail or are refused, each at a random time."""
         for number, scene in enumerate(SCENES):
             with self.subTest(scene["target"], seed=SEED + number):
                 random = Random(SEED + number)
@@ -68,7 +67,6 @@ class Endurance(unittest.TestCase):
                     case.check_fresh()
 
     def test_many_operations_leave_no_trace(self):
-        """Random operations; values of properties include defaults."""
         for number, scene in enumerate(SCENES):
             print(f"{COUNT // len(SCENES)} operations of seed {SEED + number}", flush=True)
             random = Random(SEED + number)
@@ -103,9 +101,9 @@ class Endurance(unittest.TestCase):
         self.go_round(surface, push)
 
     def go_round(self, surface, show):
-        """The first and the last loop give the same bytes, and memory stays constant. The
-        allocators may or may not return pages, depending on the timing of threads. The least of
-        the last three loops may be 1 % above the most of the third to the fifth."""
+        """The first and the last loop give the same bytes, and memory stays constant. Allocators
+        return pages at times that depend on the threads: therefore the least of the last three
+        loops is compared with the most of the third to the fifth, with a tolerance of 1 %."""
         first, pages = [], []
         loops = max(9, COUNT // STEPS)
         for loop in range(loops):

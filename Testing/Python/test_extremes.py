@@ -118,7 +118,6 @@ class Case(unittest.TestCase):
             self.assertEqual(got, bound)
 
     def assert_is_sane(self, surface):
-        """Checks for a finite and closed skin."""
         skin = surface.GetOutput()
         self.assertTrue(numpy.isfinite(points_of(skin)).all(), "a point is not finite")
         normals = skin.GetPointData().GetNormals()

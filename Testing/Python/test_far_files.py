@@ -161,7 +161,7 @@ class SinglePrecision(CommandTest):
             active.skin(far.astype("f4") * 0 + grid().astype("f4") + 1000, particle_spacing=0.1)
 
     def test_an_obj_with_colours_and_normals_of_its_own(self):
-        """VTK duplicates points that have several normals, at one position."""
+        """VTK's reader duplicates a point that has several normals."""
         vertices = [[0, 0, 0], [0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]]
         lines = [
             f"v {x!r} {y!r} {z!r} {i / 4} 0 0"

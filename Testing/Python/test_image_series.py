@@ -21,7 +21,7 @@ VOLUME = 4 / 3 * math.pi * RADIUS**3
 
 
 def image(step, kind, count=1):
-    """A moving ball; for labels, further balls of decreasing radii along y."""
+    """A moving ball; for labels, `count` moving balls along y."""
     axis = numpy.arange(SIDE * count) / SIDE
     z, y, x = numpy.meshgrid(axis[:SIDE], axis, axis[:SIDE], indexing="ij")
     distances = [

@@ -26,7 +26,6 @@ ISOTROPIC, SLICES = (1.0, 1.0, 1.0), (1.0, 1.0, 4.0)  # pixels
 
 
 def pixels(spacing, size=33.0):
-    """Positions of the pixels, in the order of an image."""
     axes = [numpy.arange(0, size, side) for side in spacing]
     z, y, x = numpy.meshgrid(*axes[::-1], indexing="ij")
     return numpy.stack([x, y, z], -1)
@@ -64,8 +63,8 @@ class Labels(unittest.TestCase):
         self.assertAlmostEqual(measure(skin)["volume"] / expected, 1, delta=1e-3)
 
     def assert_sides(self, surface, values, spacing):
-        """Each pixel next to the label's surface is on its side of the skin. Tolerance: a twentieth
-        of a pixel, as the skin is interpolated between the nodes."""
+        """Each pixel next to the label's surface is on its side of the skin. The tolerance is a
+        twentieth of a pixel's longest side, as the skin is interpolated between the nodes."""
         inside = values > 0
         near = numpy.zeros_like(inside)
         for axis in range(3):

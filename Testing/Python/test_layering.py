@@ -180,7 +180,7 @@ def find_broken_includes(root, path):
 
 
 def find_broken_arrows(root):
-    """One message for each include that breaks a rule."""
+    """Returns a message for each include that breaks a rule, and one for a cycle."""
     broken = [
         f"{path.relative_to(root)} includes {include}: {why}"
         for path in sources_in(root / "Filters")

@@ -59,7 +59,7 @@ def surface_over(data, arrays=(), **properties):
 
 
 def said_at(surface, time=0.1):
-    """Error messages of an update; without errors the skin is valid."""
+    """Returns the error messages of an update; checks the skin if there are none."""
     listener = Listener(surface)
     surface.UpdateTimeStep(time)
     if not listener.errors:
@@ -75,7 +75,7 @@ def hash_of(surface):
 
 class Crowds(unittest.TestCase):
     def test_many_particles_in_one_place_are_refused(self):
-        """Each particle would visit each other: 10^10 visits here, 10^14 for 10^7 particles."""
+        """Each particle would visit each other: 10^10 visits."""
         here = make_points(numpy.zeros((100000, 3)))
         surface = surface_over(here, ParticleModel=1, ParticleSpacing=SPACING)
         (said,) = said_at(surface)
@@ -101,7 +101,7 @@ class Crowds(unittest.TestCase):
 
 class FarAway(unittest.TestCase):
     def test_a_mesh_with_a_point_far_away_is_refused(self):
-        """Distances would need 1.6 GB for the first mesh, whose skin needs at most 1 MB."""
+        """Distances to such a mesh would need far more memory than its skin."""
         for far in (300.0, 1e4, 1e8):
             with self.subTest(far=far):
                 mesh = globe(1.0)
@@ -133,8 +133,8 @@ class Numbers(unittest.TestCase):
                             self.assertRegex(said, "ParticleSpacing|VoxelSize|ModelBounds")
 
     def test_scales_and_places(self):
-        """Result is a skin at any scale that voxels can have, else an error that names the
-        property to set."""
+        """The result is a skin if voxels can have the scale, else an error that names the property
+        to set."""
         at_origin = numpy.array(scattered(30))
         for scale in (1e-300, 1e-40, 1e-30, 1e-20, 1e20, 1e30, 1e300):
             for data in (make_points(at_origin * scale), globe(scale)):
@@ -161,7 +161,7 @@ class Numbers(unittest.TestCase):
                     self.assertRegex(said, "VoxelSize|too small a Spacing")
 
     def test_more_cells_than_there_are_values(self):
-        """2^31 cells and more, for which no memory is requested."""
+        """The images have more than 2^31 points, for which no memory is requested."""
         for count in (1291, 50000, 2**21):
             with self.subTest(count=count):
                 data = vtkImageData()
@@ -192,7 +192,6 @@ ARRAYS = [(0, "size"), (1, "name")]
 
 class Arrays(unittest.TestCase):
     def test_without_a_value_for_each_particle(self):
-        """Arrays of a wrong length are not passed on and cannot be chosen; they caused a crash."""
         data = cloud(scattered(30), short=[0.5] * 7, long=[0.5] * 31, whole=[0.5] * 30)
         surface = surface_over(data, ParticleSpacing=SPACING, PassTargetArrays=1)
         self.assertEqual(said_at(surface), [])
@@ -206,8 +205,8 @@ class Arrays(unittest.TestCase):
 
 class Files(unittest.TestCase):
     def test_an_attribute_that_is_longer_than_it_says(self):
-        """OpenEXR read beyond the end, interpreted a number there as the next size, and
-        allocated 1.7 GB for a file of 622 bytes. Found by Testing/Fuzz."""
+        """OpenEXR read beyond the end of the attribute, and allocated 1.7 GB for a file of 622
+        bytes."""
         folder = Path(__file__).resolve().parents[1] / "Fuzz/Corpus/FuzzEXR"
         for name in ("attribute_longer_than_it_says.exr", "channels_without_end.exr"):
             with self.subTest(name):

@@ -89,8 +89,8 @@ def moving(origin):
 
 class MapCoordinates(unittest.TestCase):
     def check(self, make, time=0.0, has_rims=False):
-        """make(origin) returns a surface, or a surface and its data; at a rim a skin has no
-        normal."""
+        """make(origin) returns a surface, or a surface and the data that it needs. With has_rims,
+        arrays are not compared, since a skin has no normal at a rim."""
         skins = []
         for origin in (NEAR, FAR):
             made = make(origin)

@@ -50,7 +50,6 @@ def skin_of(function, steps=LAST + 1, voxel=R, **properties):
 
 
 def make_surface(**properties):
-    """The filter over the particles of sph_drop.vtp."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(DROP))
     surface = vtkActiveImplicitSurface()
@@ -109,8 +108,7 @@ class Truths(unittest.TestCase):
                 self.assertLess(last, 1.1 * first)
 
     def test_a_lone_particle_is_a_ball_of_its_own_radius(self):
-        """The error is second order: the error of the volume decreases by 4 if the voxel is
-        halved."""
+        """The error of the volume is of second order in the voxel size."""
         errors = []
         for voxel in (R / 4, R / 8):
             skin = at(skin_of(lambda t: (numpy.full((1, 3), 0.1371), [7]), voxel=voxel), LAST)

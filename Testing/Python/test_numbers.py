@@ -26,8 +26,7 @@ TOLERANCE = 1e-4
 
 
 def numbers_of(skin):
-    """Measures of a skin. Euler number: each triangle of a closed surface has three edges,
-    and two triangles share an edge."""
+    """The Euler number is V - E + F, and a closed surface of triangles has E = 3 F / 2."""
     properties = vtkMassProperties()
     properties.SetInputData(skin)
     return {

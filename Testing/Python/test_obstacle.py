@@ -65,10 +65,9 @@ class TheSkinEndsOnIt(unittest.TestCase):
         self.assertGreaterEqual(points_of(surface)[:, 1].min(), HEIGHT - depth)
 
     def assert_is_cap(self, surface):
-        """Checks the volume of the cap. A plane is exact at the nodes and between nodes, so that
-        the skin is beyond it only by rounding, 1e-6. Chords of the lattice remove h^2 / 8R of
-        the ball's radius, 0.2 % of the volume, those of a mesh as much. All along the rim, of
-        length 3.5, a triangle with two sides of at most a voxel is cut off, h^2 / 2: 0.6 %."""
+        """A plane is exact between nodes, so that the skin is beyond the plane only by rounding.
+        Chords of the lattice and of the mesh remove 0.2 % of the volume each, and triangles that
+        are cut off along the rim up to 0.6 %."""
         self.assert_sound(surface, 1e-5)
         expected = cap_volume(RADIUS, HEIGHT)
         self.assertAlmostEqual(last(surface, "Volume") / expected, 1.0, delta=0.01)
@@ -112,7 +111,6 @@ class TheSkinEndsOnIt(unittest.TestCase):
         self.assertLess(distances.min(), radius + VOXEL, "it touches it")
 
     def test_tension_does_not_creep_through(self):
-        """A drop that the ground cuts, under tension, with several settings of the motion."""
         for properties in ({}, {"PaperScheme": 1}, {"VolumeControl": 1}, {"AreaControl": 1}):
             with self.subTest(**properties):
                 surface = make_surface(ground(), Attraction=0, Tension=0.05, **properties)
@@ -123,7 +121,6 @@ class TheSkinEndsOnIt(unittest.TestCase):
                     self.assert_sound(surface, 1e-5)
 
     def test_the_volume_is_exact(self):
-        """The volume of the triangles is held, to 1e-9 in most substeps."""
         surface = make_surface(ground(), Attraction=0, Tension=0.02, VolumeControl=2)
         surface.SetInitialFunction(ball(RADIUS))
         surface.SetTargetFunction(ball(RADIUS))
@@ -160,8 +157,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
 
 class OverParticles(unittest.TestCase):
     def test_the_start_and_new_parts_are_outside_of_it(self):
-        """The rock lies where the drop of the splash falls. At the start, with new parts, and
-        during the motion of the particles, no vertex is inside. Chords as above."""
+        """The rock lies where the drop of the splash falls. A chord of the rock is the tolerance,
+        h^2 / 4R."""
         rock, radius = ball(0.25, (0.0, 0.05, 0.0)), 0.25
         _, surface = splash()
         surface.SetObstacleFunction(rock)

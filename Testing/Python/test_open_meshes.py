@@ -19,7 +19,6 @@ VOXEL = 0.05
 
 
 def without(mesh, is_left_out):
-    """The mesh without some of its polygons."""
     polygons = vtkCellArray()
     for i in range(mesh.GetNumberOfCells()):
         if not is_left_out(i):
@@ -66,7 +65,6 @@ def skin_of(mesh, threads=0):
 
 class OpenMeshes(unittest.TestCase):
     def test_the_inside_ends_at_the_rims(self):
-        """The caps bulge by less than a tenth of the holes' radii."""
         whole = 4 / 3 * math.pi
         for name, mesh, wanted in (
             ("ball without its cap", ball(20.0), whole),

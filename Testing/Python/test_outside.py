@@ -48,7 +48,7 @@ def measure(attraction):
 
 class OutsideAgrees(unittest.TestCase):
     def test_with_drops_that_are_lost(self):
-        """A slow skin without new parts loses many particles. Signs are hardest in splashes."""
+        """A slow skin without new parts loses many particles."""
         rows = measure(attraction=10)
         self.assertGreater(rows[:, 0].max(), 0.05)
         for step, (outside, expected, ties) in enumerate(rows):
@@ -57,7 +57,7 @@ class OutsideAgrees(unittest.TestCase):
 
 
 class Inverted(unittest.TestCase):
-    """An inverted target is the space around the points, which the first skin encloses."""
+    """The first skin over an inverted target encloses the space around the points."""
 
     def check(self, data):
         surface = vtkActiveImplicitSurface()

@@ -54,7 +54,8 @@ def on_sphere(count):
 
 
 def dots_on(centers, reaches, count):
-    """Points of each ball outside the others, and the area of all of them (Shrake, Rupley)."""
+    """Points on the balls' surfaces outside all other balls, and the exposed area by Shrake and
+    Rupley."""
     dots = centers[:, None] + reaches[:, None, None] * on_sphere(count)
     are_free = lowest(dots, centers, reaches) > -1e-9
     return dots[are_free], (are_free.sum(axis=1) / count * 4 * numpy.pi * reaches**2).sum()
@@ -122,7 +123,6 @@ class Measures(unittest.TestCase):
                     self.check(*atoms, probe, volume_and_area(*atoms, probe))
 
     def test_the_grid_of_this_test(self):
-        """The reference is accurate for two balls, by quadrature."""
         for distance in (3.0, 7.0):
             centers = numpy.outer([0, distance], TURN / numpy.linalg.norm(TURN)) + 0.12
             for probe in (0.0, WATER):
@@ -133,8 +133,8 @@ class Measures(unittest.TestCase):
 
 class Distances(unittest.TestCase):
     def test_exact_at_the_points_of_the_image(self):
-        """The reference at each point is the least distance to any of 30,000 free dots on each
-        accessible ball."""
+        """The reference is the distance to the nearest free one of 30,000 dots on each accessible
+        ball."""
         centers, radii = cluster()
         for probe, most in ((0.0, 0.02), (WATER, 0.05)):
             reach = radii + probe
@@ -192,8 +192,7 @@ class Skins(unittest.TestCase):
         self.assertIsNone(plain.GetPointData().GetArray("residue"))
 
     def test_a_trajectory(self):
-        """Each skin is within a percent of that of a single frame, though atoms move by 0.9 in a
-        step."""
+        """Atoms move by 0.9 in a step."""
         centers, radii = cluster()
         walk = numpy.random.default_rng(2).normal(0.5, 0.2, (6, *centers.shape)).cumsum(axis=0)
         series = [as_particles(centers + way, radii=radii) for way in walk]

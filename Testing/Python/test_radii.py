@@ -64,8 +64,7 @@ class Balls(unittest.TestCase):
         self.check([1.0, 0.6, 0.3, 0.15], 0.1, share=0.05)
 
     def test_balls_that_overlap(self):
-        """The skin lies far outside the balls, as for a fluid eight times as dense, and is not
-        cut."""
+        """The skin lies far outside balls that overlap, and the domain must not cut it."""
         spread = numpy.arange(4)
         centers = numpy.stack([0.1 * spread, 0.05 * (spread % 3), 0 * spread], -1)
         radii = 0.2 + 0.02 * spread
@@ -105,7 +104,7 @@ class Balls(unittest.TestCase):
 
 
 class Grains(unittest.TestCase):
-    """Balls of radius 0.5 that touch, in a lattice that is rotated against the voxels."""
+    """Balls of radius 0.5 in a lattice that is rotated against the voxels."""
 
     def setUp(self):
         turn, _ = numpy.linalg.qr(numpy.random.default_rng(1).normal(size=(3, 3)))

@@ -184,13 +184,12 @@ def run_program(cases):
 
 
 def kind_of(failure):
-    """Kind of a failure: its first words, without numbers. Failures of one cause have the same
-    kind."""
+    """Returns the first words of a failure, without numbers."""
     return re.sub(r"-?[\d.]+|\b[0-9a-f]{64}\b", "N", " ".join(failure.split()[:8]))
 
 
 def report(case, failure):
-    """Prints the smallest case that fails likewise, as a program."""
+    """Prints a reduced case that fails likewise, as a program."""
 
     def fails(other):
         return any(kind_of(told) == kind_of(failure) for _, told, _ in try_cases([other]))

@@ -24,7 +24,6 @@ LONGEST = 120
 
 
 def start(size, run, folder, longest=LONGEST):
-    """Starts a run on `size` ranks, which share the cores; if `size` is 0, without MPI."""
     start_ranks(PROGRAM, size, [run, folder], longest)
 
 

@@ -33,7 +33,8 @@ class Results(blocks.Blocks):
         self.numbers = 0
 
     def made_by(self, command):
-        """Files that a command makes, by name; except for info, earlier files are removed."""
+        """Runs a command, and returns the meshes that it made. Earlier meshes are removed, except
+        before info."""
         known = {"bunny.stl", "horse.stl", "horse.ply", "skin_0040.vdb"}
         for path in self.folder.glob("*"):
             is_own = path.name in known or "splash" in path.name

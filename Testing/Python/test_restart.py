@@ -260,7 +260,7 @@ def content(surface):
 
 
 def shape(surface):
-    """Points and triangles, without the arrays that properties of outputs control."""
+    """Hash of points and triangles, without the arrays that properties of outputs control."""
     skin, bare = surface.GetOutput(), Contents()
     copied = type(skin)()
     copied.SetPoints(skin.GetPoints())

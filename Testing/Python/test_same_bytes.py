@@ -1,7 +1,7 @@
 # ctest: LABELS contract
 """Results stay bitwise identical: many runs have the hashes of Baselines/hashes.json.
 
-Runs use one thread and two, and every instruction set.
+All runs use one thread; a few short ones also use two threads and every instruction set.
 
 Run: python3 test_same_bytes.py. After an intended change:
 python3 test_same_bytes.py --write, with the reason in the commit.

@@ -118,8 +118,8 @@ class Splash(unittest.TestCase):
         self.assertEqual(self.pieces[38:], [3] * 3)
 
     def test_particles_are_apart_where_the_skin_is(self):
-        """Particles nearer than 2.8 r are in one piece, and no piece spans a gap of more than 4
-        r."""
+        """Particles nearer than 2.8 r belong in one piece, and no piece may span a gap of more than
+        4 r: both limit the number of pieces."""
         for step, (most, least) in enumerate(self.clusters):
             with self.subTest(step=step):
                 self.assertLessEqual(self.pieces[step], most)

@@ -120,7 +120,7 @@ class WeReadTheFilesOfOthers(WithAFolder):
 
 
 class Refusals(WithAFolder):
-    """Data that no .vdb file can hold are refused for their own cause, not for the disk's."""
+    """Errors for data that no .vdb file can hold name the data as the cause, not the disk."""
 
     def refuse(self, image, voxel=-1.0):
         values = vtkFloatArray()

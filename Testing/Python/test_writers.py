@@ -67,7 +67,7 @@ def read_obj(path):
 
 
 def turned(quaternion, vector):
-    """Rotates a vector by x y z w."""
+    """Rotates a vector by a quaternion x y z w."""
     axis, real = numpy.array(quaternion[:3]), quaternion[3]
     twice = 2 * numpy.cross(axis, vector)
     return vector + real * twice + numpy.cross(axis, twice)
