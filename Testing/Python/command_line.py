@@ -14,8 +14,6 @@ DROP = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 
 
 class Outcome:
-    """Exit code and printed output of a command."""
-
     def __init__(self, *arguments):
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -52,7 +50,6 @@ class CommandTest(unittest.TestCase):
         return lines[0]
 
     def put(self, name, content):
-        """A file of these bytes, or of this text."""
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
@@ -70,5 +67,4 @@ def grid(count=5, spacing=0.1):
 
 
 def moving_grid(frames=4):
-    """A lattice that moves along x."""
     return numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(frames)])

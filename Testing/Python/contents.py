@@ -36,8 +36,8 @@ def no_errors(*algorithms):
 class Contents:
     """Receives data objects one after another; hash() is the hash of all of them.
 
-    A skin, an image or a table without content is an error, unless may_be_empty is set: a hash of
-    nothing proves nothing.
+    A table without rows is an error, and so is a skin or an image without content unless
+    may_be_empty is set: a hash of nothing proves nothing.
     """
 
     def __init__(self):
@@ -55,10 +55,7 @@ class Contents:
         self.sum.update(numbers.tobytes())
 
     def array(self, array):
-        """A vtkAbstractArray with its name, its type and the names of its components.
-
-        The type is numpy's: VTK has several names for integers of 64 bits.
-        """
+        """The type is numpy's, because VTK has several names for integers of 64 bits."""
         count = array.GetNumberOfComponents()
         self.text(array.GetName(), count)
         self.text(*(array.GetComponentName(i) for i in range(count)))
@@ -68,7 +65,6 @@ class Contents:
             self.numbers("values", vtk_to_numpy(array))
 
     def arrays(self, data, left_out=()):
-        """All arrays of point, cell, field or row data, in their order."""
         for i in range(data.GetNumberOfArrays()):
             array = data.GetAbstractArray(i)
             if array.GetName() not in left_out:
@@ -119,12 +115,10 @@ class Contents:
         self.arrays(table.GetRowData())
 
     def outputs(self, surface, may_be_empty=False):
-        """Skin and history of a filter."""
         self.skin(surface.GetOutput(), may_be_empty)
         self.table(surface.GetHistory())
 
     def function(self, function, lattice):
-        """Values and gradients of an implicit function at these points."""
         values = [function.FunctionValue(*point) for point in lattice]
         assert min(values) < 0.0 < max(values), "the same side everywhere"
         self.numbers("values", values)
@@ -134,7 +128,6 @@ class Contents:
         self.numbers("slopes", slopes)
 
     def vdb(self, path):
-        """Every grid of a .vdb file, dense and one by one, and all metadata."""
         reader = vtkActiveVDBReader()
         reader.SetFileName(str(path))
         with no_errors(reader):
@@ -160,7 +153,6 @@ class Contents:
         self.text(*sorted(line for line in text.splitlines() if not line.startswith(OF_THE_WRITER)))
 
     def exr(self, path):
-        """Channels, as arrays, and attributes, as field data, of an .exr file."""
         reader = vtkActiveEXRReader()
         reader.SetFileName(str(path))
         with no_errors(reader):

@@ -12,7 +12,6 @@ HEADING = re.compile(r"^#{1,6} +(.*?) *$", re.MULTILINE)
 
 
 def pages(root=ROOT):
-    """All pages, by their path from the root."""
     found = (path.relative_to(root) for path in root.rglob("*.md"))
     return sorted(path for path in found if not NOT_OURS & set(path.parts))
 
@@ -28,12 +27,12 @@ def prose(text):
 
 
 def links(text):
-    """The targets of all links and pictures."""
     return [target for line in [FENCE.sub("", text)] for target in LINK.findall(_linked(line))]
 
 
 def _linked(text):
-    """Keeps code within the text of a link; removes other code."""
+    """Removes brackets and parentheses from code: code has no links, but a link's text may have
+    code."""
     return re.sub(r"`([^`\n]*)`", lambda code: re.sub(r"[][()]", "", code[1]), text)
 
 
@@ -67,7 +66,6 @@ def broken_links(root=ROOT):
 
 
 def reached(start, root=ROOT):
-    """Pages that can be reached from a page by any number of links."""
     seen, todo = set(), [(root / start).resolve()]
     while todo:
         page = todo.pop()
@@ -80,7 +78,6 @@ def reached(start, root=ROOT):
 
 
 def commands(body):
-    """Commands of a shell block, without comments, with continuation lines joined."""
     lines = re.sub(r"\\\n", " ", body).splitlines()
     plain = (re.sub(r"(^|\s)#.*$", "", line).strip() for line in lines)
     return [part.strip() for line in plain if line for part in line.split("&&")]

@@ -24,8 +24,8 @@ def limit_memory(more):
 
 
 def fill_memory(room):
-    """Takes all memory but the given number of bytes, in blocks of 512 bytes: also the memory that
-    the program has freed before. Returns the blocks as a linked list."""
+    """Allocates all memory except the given number of bytes, in small blocks that also fill what
+    the program has freed. Returns the blocks as a linked list."""
     blocks = None
     try:
         while True:

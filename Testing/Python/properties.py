@@ -20,7 +20,6 @@ CLASSES = [getattr(active_implicit_surfaces, name) for name in TABLE]
 
 
 def rows_of(kind):
-    """The properties of a class by their names."""
     return {row["name"]: SimpleNamespace(**row) for row in TABLE[kind.__name__]}
 
 
@@ -34,7 +33,6 @@ def comment_of(kind, name):
 
 
 def restarts(row):
-    """Returns true unless the comment says that a change does not restart the motion."""
     return "restart the motion" not in row.comment
 
 

@@ -48,8 +48,8 @@ REFUSED = (
 
 
 def values_of_properties():
-    """Values to draw from for each property that is no shape: its default, and the values of
-    test_restart.py, with twice and half of numbers."""
+    """Values to draw from for each property that is no shape: those of SPECIAL, else the default
+    and the values of test_restart.py, with twice and half of these for floats."""
     defaults = vtkActiveImplicitSurface()
     tried = {name: [value for _, value in cases] for name, cases in RESTARTS.items()}
     tried |= {name: [value] for name, (_, value) in DOES_NOT_RESTART.items()}
@@ -106,7 +106,6 @@ def draw_properties(random, target):
 
 
 def draw_time(random):
-    """A time at a step, between steps, and sometimes outside the range."""
     return random.choice(
         (
             0.1 * random.randint(0, 10),
@@ -171,7 +170,7 @@ def smaller_cases(case):
 
 
 def minimise(case, fails):
-    """Smallest case that still fails: without any one part it passes. `fails` tries a case."""
+    """Reduces a failing case until it passes without any one of its parts. `fails` tries a case."""
     while True:
         for smaller in smaller_cases(case):
             if fails(smaller):

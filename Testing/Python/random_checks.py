@@ -36,7 +36,7 @@ class Case:
         return vtkActiveImplicitSurface()
 
     def part_of(self, role, shape, arrays):
-        """Part of a shape, with chosen arrays, in this process: all of it."""
+        """Returns the part of a shape in this process."""
         return shape
 
     def is_struck(self):
@@ -132,7 +132,6 @@ class Case:
         self.put_shape(self.surface, self.made, "obstacle")
 
     def do_save_and_load(self):
-        """Saves and loads the present state, with the present properties."""
         self.update(self.time or 0.0)
         with self.folder() as folder:
             file = str(folder / "state.vdb")
@@ -143,7 +142,6 @@ class Case:
         self.update(self.time or 0.0)
 
     def do_abort(self, count, time):
-        """Aborts at the count-th progress event."""
         left = [count]
         is_struck = self.is_struck()
 
@@ -248,7 +246,8 @@ class Case:
         assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
 
     def check_time(self, time):
-        """Checks the time of the skin: as requested, or a step within 1e-6 of an interval."""
+        """Checks that the skin has the requested time, moved into the range, or the time of a step
+        nearer than 1e-6 of an interval."""
         information = self.surface.GetOutput().GetInformation()
         key = self.surface.GetOutput().DATA_TIME_STEP()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
@@ -273,7 +272,7 @@ class Case:
         assert voxels.max() <= max(self.guards), f"{voxels.max()} active voxels"
 
     def check_last_row(self):
-        """Checks that at a time step the last row belongs to this skin."""
+        """Checks the last row against this skin, unless their times are different."""
         history, skin = self.surface.GetHistory(), self.surface.GetOutput()
         information = skin.GetInformation()
         last = history.GetValueByName(history.GetNumberOfRows() - 1, "Time").ToDouble()
@@ -284,7 +283,6 @@ class Case:
         check_parts(history, points_of(skin), triangles_of(skin))
 
     def result(self):
-        """Hash of the outputs, or the error."""
         if self.listener.errors:
             return sentence_of(self.listener.errors[0])
         contents = Contents()

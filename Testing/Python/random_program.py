@@ -1,7 +1,8 @@
 """Tries the cases on its standard input, one on each line, and prints the result of each.
 
-The program has two gigabytes, and for each case 120 seconds of processor time, independent of other
-load.
+The program has two gigabytes of address space, and for each case 120 seconds of processor time,
+which is independent of other load. With the address sanitizer, memory is not limited, and the time
+is longer.
 """
 
 import resource

@@ -22,7 +22,8 @@ def on_one(step, count, pieces):
 
 
 class Motion:
-    """particles(step): a body, a sheet and drops far away that move; some are born, some die."""
+    """particles(step): a body, a sheet and drops far away that move; with ids, some are born, some
+    die."""
 
     def __init__(self, seed, has_ids):
         draw = numpy.random.default_rng(seed)

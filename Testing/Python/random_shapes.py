@@ -49,7 +49,6 @@ class Source(Steps):
 
 
 def moving(make, random):
-    """Three to five time steps, made by make(i)."""
     return Source({i * STEP: make(i) for i in range(random.randint(3, 5))})
 
 
@@ -128,7 +127,6 @@ def growing_crowd(random):
 
 
 def as_table(points):
-    """Table of the same particles: columns x, y, z, and their arrays."""
     table = vtkTable()
     positions = numpy.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
     for axis, values in zip("xyz", positions.reshape(-1, 3).T):
@@ -155,7 +153,6 @@ def as_blocks(points, random):
 
 
 def rows_of(points, rows):
-    """Some of the particles, with their arrays."""
     part = vtkPolyData()
     part.SetPoints(vtkPoints())
     part.GetPoints().SetDataType(points.GetPoints().GetDataType())
@@ -167,7 +164,7 @@ def rows_of(points, rows):
 
 
 def in_another_form(kind, change):
-    """Particles, static or moving, with a change of each step."""
+    """Returns a maker of particles, static or moving, that applies `change` to each step."""
 
     def make(random):
         target, numbers = kind(random)
@@ -252,7 +249,7 @@ def moving_image(random):
 
 
 def a_mask(random, count=None):
-    """Pixels with a label, of a random thickness, in an image that may cut them."""
+    """A label map with pixels of a random size, in an image that may cut the labelled body."""
     sizes = [random.uniform(1, 8) for _ in range(3)]
     level = random.uniform(0.2, 2.0)
     inside = quadric(*sizes, level)
@@ -297,7 +294,6 @@ def balls_apart(random):
 
 
 def a_difference(random):
-    """A difference of balls, often with a hollow."""
     difference = vtkImplicitBoolean()
     difference.SetOperationTypeToDifference()
     difference.AddFunction(ball(random.uniform(0.5, 0.7)))
@@ -390,7 +386,6 @@ SHAPES = {"target": TARGETS, "initial": INITIALS, "obstacle": OBSTACLES}
 
 
 def make_shape(role, shape):
-    """Shape of ("name", seed) in the role of a target, an initial shape or an obstacle."""
     if shape is None:
         return None, {}
     name, seed = shape

@@ -111,7 +111,7 @@ class Keeper:
         self.keep(name, **outputs_of(surface))
 
     def update(self, name, surface, time):
-        """Keeps the outputs at a time, or the errors."""
+        """Keeps the outputs, errors and warnings of an update."""
         listener = Listener(surface)
         surface.UpdateTimeStep(time)
         said = {"errors": listener.errors, "warnings": listener.warnings}
@@ -121,7 +121,6 @@ class Keeper:
 
 
 def outputs_of(surface):
-    """Returns a rank's part of each output, as arrays."""
     return {
         "triangles": triangles_of(surface.GetOutput()),
         "history": history_of(surface.GetHistory()),
@@ -131,7 +130,7 @@ def outputs_of(surface):
 
 
 def triangles_of(skin):
-    """Returns a row of bytes for each triangle: all values of its corners."""
+    """Returns a row of bytes for each triangle: all values of its corners except global ids."""
     if skin.GetNumberOfPolys() == 0:
         return numpy.zeros((0, 0), dtype=numpy.uint8)
     corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
@@ -146,7 +145,6 @@ def triangles_of(skin):
 
 
 def points_of(skin):
-    """Returns the points of a part of a skin, with their global ids."""
     ids = skin.GetPointData().GetGlobalIds()
     points = skin.GetPoints()
     return {
@@ -175,7 +173,6 @@ def history_of(table):
 
 
 def load(folder, name, ranks):
-    """Loads the files that the ranks have saved, by rank."""
     loaded = []
     for rank in range(ranks):
         with numpy.load(os.path.join(folder, f"{name}.{rank}.npz")) as kept:

@@ -18,7 +18,6 @@ TROUBLES = 0.2  # the share of what is aborted, fails or is refused, besides tha
 
 
 def try_scene(random, ranks, operations):
-    """Runs one random scene and returns the counts."""
     scene = draw_case(random)
     said = {name: value for name, value in scene.items() if name != "operations"}
     done = []

@@ -226,7 +226,7 @@ def skeleton(ranks, keeper, folder):
 
 @run
 def grid(ranks, keeper, folder):
-    """A level set of a .vdb, which the first rank writes and reads."""
+    """A level set that is written to a .vdb and read again."""
     ball = vtkSphereSource()
     ball.SetRadius(0.6)
     writer = vtkActiveVDBWriter()

@@ -58,7 +58,6 @@ def connect(surface, port, set_function, shape):
 
 
 def follow(contents, surface, *times, may_be_empty=False):
-    """Skin and history at these times."""
     for time in times:
         with no_errors(surface):
             surface.UpdateTimeStep(time)
@@ -66,7 +65,6 @@ def follow(contents, surface, *times, may_be_empty=False):
 
 
 def rest(contents, surface):
-    """Skin and history of a surface in its steady state."""
     surface.SetEvolutionModeToEquilibrium()
     with no_errors(surface):
         surface.Update()

@@ -9,7 +9,6 @@ TIMES = (0.0, 0.2, 0.5)
 
 
 def grow(**properties):
-    """Motion from a ball to a union of a ball and a block."""
     target = union(ball(0.4, (0.3, 0, 0)), block(-0.7, 0.2, -0.3, 0.3, -0.2, 0.2))
     return make(target, ball(0.5), **properties)
 

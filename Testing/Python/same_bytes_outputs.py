@@ -31,7 +31,6 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 
 def decorated(way):
-    """Particles with arrays of floats, vectors and integers."""
     positions = [(x + way, y, z) for x, y, z in scattered(30)]
     data = cloud(positions, name=list(range(30)), heat=[way + i / 32 for i in range(30)])
     add_array(data.GetPointData(), "push", positions, numpy.float32)

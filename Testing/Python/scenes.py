@@ -14,7 +14,6 @@ PARTICLE_SPACING = 0.085
 
 
 def splash():
-    """The reader of the particles, steps 0 to 40, and the skin over them."""
     particles = vtkXMLPolyDataReader()
     particles.SetFileName(str(DATA / "sph_drop.vtp"))
     surface = vtkActiveImplicitSurface()

@@ -45,7 +45,6 @@ def write(writer, data, path):
 
 
 def ball_mesh(radius=0.5, resolution=64, center=(0, 0, 0)):
-    """The source of a ball's mesh."""
     source = vtkSphereSource()
     source.SetRadius(radius)
     source.SetCenter(center)
@@ -64,21 +63,18 @@ def image_of(values, spacing=(1, 1, 1)):
 
 
 def with_properties(surface, properties):
-    """The surface after its properties of these names have been set."""
     for name, value in properties.items():
         getattr(surface, f"Set{name}")(value)
     return surface
 
 
 def surface_in_box(**properties):
-    """A surface in the box from -1 to 1."""
     surface = vtkActiveImplicitSurface()
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     return with_properties(surface, properties)
 
 
 def points_of(data):
-    """Points of a mesh, or of a filter's output."""
     points = (data.GetOutput() if hasattr(data, "GetOutput") else data).GetPoints()
     return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), numpy.float32)
 

@@ -1,4 +1,4 @@
-"""Properties of every valid skin; each function raises an AssertionError if one is violated."""
+"""Properties of every valid skin; each check raises an AssertionError if a property is violated."""
 
 import numpy
 from shapes import points_of
@@ -15,7 +15,7 @@ def triangles_of(skin):
 
 
 def opposite_sides(triangles, count):
-    """For each side of a triangle, the reverse side of another one."""
+    """Returns, for each side of a triangle, the number of its reverse side in another triangle."""
     start, end = triangles.ravel(), numpy.roll(triangles, -1, axis=1).ravel()
     sides, reverse = start * count + end, end * count + start
     order = numpy.argsort(sides)
@@ -80,10 +80,8 @@ def check_normals(skin, points, triangles, voxel):
 
 
 def winding_numbers(corners, places):
-    """Winding number of the triangles around each point: 1 within a skin, 0 outside.
-
-    Van Oosterom and Strackee's solid angle of a triangle.
-    """
+    """Winding number of the triangles around each point: 1 within a skin, 0 outside. The solid
+    angles are by Van Oosterom and Strackee's formula."""
     a, b, c = (corners[None, :, i] - places[:, None] for i in range(3))
     la, lb, lc = (numpy.linalg.norm(x, axis=2) for x in (a, b, c))
     above = numpy.einsum("ijk,ijk->ij", a, numpy.cross(b, c))
@@ -141,9 +139,8 @@ def check_history(history):
 
 
 def check_skin(surface, voxel=None):
-    """Checks for a closed manifold of finite points, oriented outward, or an empty skin. Arrays
-    and history have to be consistent. At a time step the history's last row belongs to this
-    skin."""
+    """Checks for a closed manifold of finite points, oriented outward, or an empty skin, with unit
+    normals and a finite history."""
     skin, history = surface.GetOutput(), surface.GetHistory()
     points, triangles = points_of(skin), triangles_of(skin)
     assert numpy.isfinite(points).all(), "a point is not finite"
