@@ -54,7 +54,7 @@ def join_strings(source: str) -> str:
 
 
 def join_lines(comments: list[tuple[int, bool, str]], has_head: bool) -> Iterator[Prose]:
-    """Joins comments on consecutive lines; a comment after code (False) begins a new text."""
+    """Joins comments on consecutive lines; a comment after code begins a new text."""
     first, lines = 0, list[str]()
     for number, is_alone, text in comments:
         if lines and not (is_alone and number == first + len(lines)):

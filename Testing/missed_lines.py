@@ -14,7 +14,7 @@ from pathlib import Path
 
 
 def count_lines(segments):
-    """Number of executions of each line of a file that has code."""
+    """Number of executions of each line with code in a file."""
     counts = {}
     before = None
     by_line = {line: list(group) for line, group in groupby(segments, key=lambda s: s[0])}

@@ -36,7 +36,7 @@ def flicker(skins, spacing, first=30):
 
 
 def faces_of(inside):
-    """Centres of the faces between a label and others, in voxels."""
+    """Centres of the faces between voxels inside and outside, in units of voxels."""
     padded, centers = np.pad(inside, 1), []
     for axis in range(3):
         places = np.argwhere(np.diff(padded.astype(np.int8), axis=axis)) - 1.0

@@ -188,7 +188,7 @@ def first_volumes(scene, skins, later=4):
 
 
 def part_volume(scene, skin, frame, drop):
-    """Returns 0 if the part nearest to the drop belongs to something else too."""
+    """Returns 0 if the part nearest to the drop extends beyond the drop."""
     places = frame[0][np.isin(frame[2], drop)].astype(float)
     if skin.empty or len(places) == 0:
         return 0.0

@@ -139,7 +139,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
     @staticmethod
     def needed(name):
-        """Properties that this one needs for an effect on the skin."""
+        """Values of properties without which this property has no effect on the skin."""
         more = {
             "RestTolerance": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},

@@ -108,7 +108,7 @@ class Presets(unittest.TestCase):
 
 
 class States(unittest.TestCase):
-    """States open in any working directory, and with any settings of ParaView."""
+    """States open in any working directory."""
 
     def setUp(self):
         ResetSession()

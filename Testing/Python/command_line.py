@@ -22,7 +22,7 @@ class Outcome:
 
 
 class CommandTest(unittest.TestCase):
-    """Tests with a folder of their own."""
+    """Each test has a folder of its own, which is the working directory."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -37,7 +37,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def fail_with(self, code, *arguments):
-        """The single error message of a failing command."""
+        """Returns the error message of a command that has to fail with this one message."""
         outcome = Outcome(*arguments)
         self.assertEqual(outcome.code, code, outcome.err)
         lines = [

@@ -92,8 +92,8 @@ class Case:
         self.request(time)
 
     def do_potential(self, time):
-        """Updates the image of the potential. Its port has a time of its own, but history and
-        skin function belong to the last update."""
+        """Updates only the image of the potential, at a time of its own. History and skin function
+        then have the image's time, while the skin keeps its time: Modified() ends this state."""
         self.listener.forget()
         self.surface.UpdateInformation()
         key = Pipeline.UPDATE_TIME_STEP()

@@ -133,7 +133,7 @@ def killed(ranks, keeper, folder):
 
 @run
 def bad_state(ranks, keeper, folder):
-    """A state that one rank does not find is loaded by none."""
+    """No rank loads a state that one rank does not find."""
     _, surface = make_splash()
     name = "none.vdb" if ranks.rank == 1 else "saved.vdb"
     surface.AddObserver("ErrorEvent", lambda caller, event: None)

@@ -119,7 +119,8 @@ def globe(radius):
 
 
 def middle(corners, a, b):
-    """Index of the point between two corners; adds the point if it is missing."""
+    """Index of the point halfway between two corners on the unit sphere; adds the point if it is
+    missing."""
     between = [x + y for x, y in zip(corners[a], corners[b])]
     length = sqrt(sum(x * x for x in between))
     point = tuple(x / length for x in between)

@@ -15,7 +15,8 @@ def triangles_of(skin):
 
 
 def opposite_sides(triangles, count):
-    """Returns, for each side of a triangle, the number of its reverse side in another triangle."""
+    """Returns for each side of a triangle the index of the reverse side, which another triangle
+    has."""
     start, end = triangles.ravel(), numpy.roll(triangles, -1, axis=1).ravel()
     sides, reverse = start * count + end, end * count + start
     order = numpy.argsort(sides)

@@ -38,7 +38,7 @@ def pixels_of(path):
 
 
 def is_skin(pixels):
-    """Mask of the water: blue by far more than the paper and its shade."""
+    """Mask of the water, which is bluer than the paper and its shade."""
     return pixels[..., 2] - pixels[..., 0] > 40
 
 

@@ -2,7 +2,7 @@
 """An option without effect in its context is an error that names it and the contexts with an
 effect.
 
-The filter confirms each option that the program regards as without effect: its skins are the same.
+Options that the program regards as without effect leave the filter's skins the same.
 """
 
 import unittest
@@ -159,8 +159,6 @@ class Errors(CommandTest):
 
 
 class TheFilter(unittest.TestCase):
-    """The rules hold for the filter itself."""
-
     def assert_same(self, make, own, **others):
         plain, changed = make(**others), make(**{**others, own.keyword: another(own)})
         self.assertEqual(bytes_of(plain), bytes_of(changed), own.keyword)

@@ -106,7 +106,7 @@ class OtherPrograms(unittest.TestCase):
         self.assertIn('owner (type string): "the tests"', told)
 
     def look_by_exrinfo(self):
-        """Output and errors of exrinfo. The exit status of OpenEXR 3.1 is random."""
+        """Output and errors of exrinfo, whose exit status is random in OpenEXR 3.1."""
         done = subprocess.run(
             ["exrinfo", "-s", "-v", str(self.path)], check=False, capture_output=True, text=True
         )

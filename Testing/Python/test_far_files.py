@@ -76,7 +76,8 @@ class Files(CommandTest):
         self.assertLess(numpy.abs(boxes[0] - boxes[1]).max(), 0.05 * SPACING)
 
     def test_each_axis_of_a_glb(self):
-        """World coordinates from the node's matrix, as in a reader of glTF."""
+        """World coordinates follow from the node's rotation and translation, as in a reader of
+        glTF."""
         for up in ("y", *TO_Y):
             path = self.folder / "a.glb"
             write_mesh(path, self.skins[0], up=up)

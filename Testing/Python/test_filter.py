@@ -147,7 +147,8 @@ class ValuesInUse(unittest.TestCase):
 
 
 class Observers(unittest.TestCase):
-    """Calls that would remove objects in use by the update are refused with an error message."""
+    """Observers' calls that would remove objects in use by the update are refused with an error
+    message."""
 
     def check(self, make, event, expected):
         calls = {

@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""The table of properties is that of the compiled classes, and each comment, which help() and the
-panels show, has default, range and unit."""
+"""The table of properties is that of the compiled classes. Each comment, which help() and the
+panels show, has the default, and comments of numbers have range and unit."""
 
 import pydoc
 import re

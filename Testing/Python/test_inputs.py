@@ -118,8 +118,6 @@ class Inputs(unittest.TestCase):
 
 
 class ParticlesWithoutIds(unittest.TestCase):
-    """A cube of particles with four time steps: skins at steps, and between two steps."""
-
     def setUp(self):
         cube = numpy.stack(numpy.meshgrid(*[numpy.arange(8.0)] * 3), -1).reshape(-1, 3)
         self.cube = 0.1 * cube

@@ -319,8 +319,6 @@ class Memory(unittest.TestCase):
 
 
 class Names(unittest.TestCase):
-    """Names that are no files, for every writer."""
-
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

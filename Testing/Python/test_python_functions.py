@@ -21,7 +21,7 @@ SPACING = {"particle_spacing": 0.1}
 
 
 def noisy_pool(seed):
-    """24 x 24 x 6 particles with noise of 0.7 r."""
+    """24 x 24 x 6 particles with random displacements of standard deviation 0.7 r."""
     axes = [0.1 * numpy.arange(count) for count in (24, 24, 6)]
     places = numpy.stack(numpy.meshgrid(*axes), -1).reshape(-1, 3)
     return places + numpy.random.default_rng(seed).normal(0, 0.035, places.shape)

@@ -128,7 +128,7 @@ class Grains(unittest.TestCase):
         self.assertEqual(measure(skin)["pieces"], 125)
 
     def test_they_keep_it_while_they_fall(self):
-        """Includes an array that is not called radius, beside one that is."""
+        """The radii are in an array that is not called radius, beside one that is."""
         balls = self.lattice(5, 1.3)
         arrays = {"size": numpy.full(125, 0.5), "radius": numpy.full(125, 0.1)}
         steps = [as_particles(balls - [0, 0.1 * step, 0], **arrays) for step in range(4)]

@@ -171,7 +171,7 @@ def try_cases(cases):
 
 
 def run_program(cases):
-    """Results that the program printed for the cases, and its end."""
+    """Returns the results that the program printed for the cases, and how it ended."""
     ran = subprocess.run(
         [sys.executable, str(HERE / "random_program.py")],
         input="\n".join(map(repr, cases)),
