@@ -75,8 +75,7 @@ class ItArrives(unittest.TestCase):
                 self.assert_is_ball(surface, 0.35, 0.12 * VOXEL)
 
     def test_at_particles_that_stand_still(self):
-        """An isolated particle is a ball of its own radius, half of the spacing. The documented
-        error of the model is 2 % of the radius."""
+        """An isolated particle is a ball of its own radius, half of the spacing."""
         surface = make_surface(ParticleSpacing=0.6)
         surface.SetInputData(make_points([FAR]))
         surface.UpdateTimeStep(ARRIVAL)

@@ -1,7 +1,6 @@
 # ctest: LABELS contract
-"""EQUILIBRIUM ends over masks and distances with edges too, with a warning if a part of the skin
-oscillates. A slow motion does not end it.
-"""
+"""EQUILIBRIUM ends over masks and distances with edges too, with a warning if more than 5 % of the
+skin oscillates. A slow motion does not end EQUILIBRIUM."""
 
 import unittest
 

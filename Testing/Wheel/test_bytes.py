@@ -1,5 +1,5 @@
-"""A wheel produces the hashes of Testing/Baselines/hashes.json, like the build with Debian's
-VTK.
+"""A wheel produces the hashes of Testing/Baselines/hashes.json, like the build with Debian's VTK,
+except for meshes that its VTK splits into other triangles.
 
 Run by Testing/Wheel/run, in an environment with the wheel.
 """
