@@ -1,9 +1,7 @@
-"""Figures of commit b67f7a4, whose skins over particles needed substeps, to print beside
-today's.
+"""Figures of commit b67f7a4, whose skins over particles needed substeps, to print beside today's.
 
-They are from its Testing/README.md, section Speed, unless a comment gives another source. The
-machine was two shared cores of an AMD EPYC, at another time: ratios can be compared, seconds
-hardly.
+The figures are from that commit's Testing/README.md, section Speed, unless a comment gives another
+source. The machine was two shared cores of an AMD EPYC: compare ratios rather than seconds.
 """
 
 # quality.py, voxels of one particle radius: seconds per frame, and splashsurf's in the same run.

@@ -10,8 +10,8 @@ of the surface's height over fixed columns [spacings], for
   several Attractions [1/frame], Tensions [square of the particles' spacing / frame] and CFLs;
 - splashsurf, if the Python package pysplashsurf is there, with its weighted smoothing.
 
-"lag" is that of a pool that rises steadily without a jitter, in frames: the cost of a low
-Attraction. "level" is the distance of the mean height from that frame by frame, in spacings: the
+"lag" is the delay behind a pool that rises steadily without jitter, in frames: the cost of a low
+Attraction. "level" is the mean height less that of the frame-by-frame surface, in spacings: the
 cost of a high Tension, as the pool's rim recedes.
 
 Run: python3 flicker.py, with active_implicit_surfaces on PYTHONPATH. Takes about a minute.

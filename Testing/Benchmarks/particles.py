@@ -8,8 +8,9 @@ waves. All particles have the radius r = 0.05 and are 2 r apart, 25 frames a sec
 and 0.5 r. All makers make the same frames in turns, and each ratio is of two times for the same
 frame:
 
-- frame: vtkActiveImplicitSurface with its defaults; triangles with normals. The first frame, the
-  start, is reported separately, as later frames continue from it.
+- frame: vtkActiveImplicitSurface with the voxel size, the spacing and otherwise its defaults;
+  triangles with normals. The first frame, the start, is reported separately, as later frames
+  continue from it.
 - pysplashsurf (PyPI): its recommended smoothing, 25 weighted iterations, with normals, without the
   optional mesh cleanup.
 - OpenVDB: ParticlesToLevelSet with spheres of 2 r, which close the gaps, four smoothing steps,

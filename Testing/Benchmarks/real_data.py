@@ -165,7 +165,6 @@ def protein(data, folder):
 
 
 def atoms_of(file):
-    """Positions and radii of the first frame of a .pdb."""
     lines = file.read_text().split("ENDMDL")[0].splitlines()
     atoms = [line for line in lines if line.startswith("ATOM")]
     places = [[float(line[i : i + 8]) for i in (30, 38, 46)] for line in atoms]

@@ -39,7 +39,6 @@ class Aim:
         )
 
     def judge(self, rows):
-        """Least and most favourable figure, and the factor by which the aim is met."""
         found = sorted(row["median"] for row in rows if self.selects(row))
         if not found:
             return None
