@@ -107,7 +107,6 @@ def read(text: str, suffix: str) -> Iterator[Prose]:
 
 
 def find(path: Path, words: list[tuple[re.Pattern[str], str]]) -> Iterator[tuple[int, str, str]]:
-    """Line, private word and field's word of each place."""
     for prose in read(path.read_text(encoding="utf-8"), path.suffix):
         text = blank(r"(`+)(?:[^`\n]|\n(?=.))+?\1", prose.text)
         found = [(match, new) for old, new in words for match in old.finditer(text)]

@@ -144,7 +144,6 @@ def find_again(listing):
 
 
 def write_tree(mutants, dropped):
-    """Writes the copy with all mutants except those that do not compile."""
     # The list includes new files, which are in no commit yet.
     listing = ["git", "-C", ROOT, "ls-files", "--cached", "--others", "--exclude-standard"]
     names = subprocess.check_output(listing, text=True).split("\n")

@@ -17,7 +17,6 @@ def pages(root=ROOT):
 
 
 def blocks(text):
-    """(language, body) of each fenced block."""
     return [(language.strip(), body) for language, body in FENCE.findall(text)]
 
 

@@ -21,8 +21,6 @@ PORTS = {"target": 0, "initial": 1}
 
 
 class Case:
-    """Applies the operations of a case to one filter."""
-
     def __init__(self, case):
         self.shapes = {role: case[role] for role in ("target", "initial", "obstacle")}
         self.properties = {**BASE, **case["properties"]}
@@ -305,7 +303,6 @@ class Case:
 
 
 def check(case):
-    """Tries a case. Returns the counts, or raises an AssertionError."""
     tried = Case(case)
     for operation in case["operations"]:
         tried.do(*operation)

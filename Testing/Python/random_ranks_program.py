@@ -17,7 +17,6 @@ LONG = ("EvolutionMode",)  # converging takes as long as it takes, and ranks do 
 
 
 def on_one(step, count, pieces):
-    """All particles are on one rank, a different one at each step."""
     return numpy.full(count, step % pieces)
 
 

@@ -25,8 +25,6 @@ def dealt(points, owners, step, piece, pieces):
 
 
 class DealtSource(Source):
-    """Source of the particles of one piece at each time step."""
-
     def __init__(self, steps, owners):
         super().__init__(steps)
         self.owners = owners
@@ -124,7 +122,6 @@ class RankedCase(Case):
         self.counts["skins"] += self.is_so_on_any(self.surface.GetOutput().GetNumberOfPoints() > 0)
 
     def check_fresh(self):
-        """Compares the outputs with those of a new filter in one process."""
         own = (outputs_of(self.surface), self.listener.errors)
         every = self.ranks.gather(own)
         failure = self.find_difference(every) if self.is_first() else None

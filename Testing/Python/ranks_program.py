@@ -146,7 +146,6 @@ def emitter(ranks, keeper, folder):
 
 
 def part_of_ball(radius, ranks):
-    """Returns a rank's triangles of a ball, with their points."""
     ball = vtkSphereSource()
     ball.SetRadius(radius)
     ball.SetThetaResolution(24)
@@ -184,7 +183,6 @@ def meshes(ranks, keeper, folder):
 
 
 def part_of_image(ranks):
-    """A ball's distances; each rank has some slices."""
     nodes = 24
     first = nodes * ranks.rank // ranks.size
     last = min(nodes * (ranks.rank + 1) // ranks.size, nodes - 1)

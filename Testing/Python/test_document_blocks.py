@@ -154,7 +154,6 @@ class Blocks(CommandTest):
         self.addCleanup(patch.stop)
 
     def names(self):
-        """Variables that the blocks use but do not define."""
         renderer, window, actor = vtkRenderer(), vtkRenderWindow(), vtkActor()
         actor.SetMapper(vtkPolyDataMapper())
         actor.GetMapper().SetInputConnection(self.ball.GetOutputPort())

@@ -72,7 +72,6 @@ def extremes_of(default):
 
 
 def documented_bounds(kind, name):
-    """Least and largest value according to the comment."""
     comment = " ".join(comment_of(kind, name).split())
     if ", or -1, automatic:" in comment:
         return -1.0, math.inf

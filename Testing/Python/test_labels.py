@@ -32,7 +32,6 @@ def pixels(spacing, size=33.0):
 
 
 def ball_label(spacing, shift=(0, 0, 0), radius=RADIUS):
-    """Values at the pixels: 7 in a ball, 0 elsewhere."""
     inside = numpy.linalg.norm(pixels(spacing) - CENTER - shift, axis=-1) < radius
     return 7 * inside.astype("u1")
 

@@ -79,7 +79,6 @@ def is_allowed(unit, other):
 
 
 def reached_includes(root, header):
-    """Direct and indirect includes of a header, through headers of Filters."""
     reached, waiting = set(), [header]
     while waiting:
         for include in set(includes_of(waiting.pop())) - reached:
@@ -103,7 +102,6 @@ def reached_by_test(root, test):
 
 
 def find_arrows(root):
-    """Returns for each unit the units that it includes."""
     arrows = defaultdict(set)
     for path in sources_in(root / "Filters"):
         unit = unit_of(root, path)

@@ -192,7 +192,6 @@ class MapCoordinates(unittest.TestCase):
         self.assertTrue(source and others)
 
     def test_files(self):
-        """A .vdb of the filter's skin, and a .vdb of another mesh, far from the origin."""
         surface = surface_over(mesh(FAR))
         surface.Update()
         with tempfile.TemporaryDirectory() as folder:

@@ -23,7 +23,6 @@ def ball():
 
 
 def boxed(edges, **field):
-    """Particles with field data of a periodic box."""
     cloud = as_particles(grid())
     for name, values in {"Lattice": edges, **field}.items():
         add_array(cloud, name, values, cloud.GetFieldData())

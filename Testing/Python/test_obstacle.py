@@ -60,7 +60,6 @@ def cap_volume(radius, cut):
 
 class TheSkinEndsOnIt(unittest.TestCase):
     def assert_sound(self, surface, depth):
-        """Checks that the skin is closed, and no deeper in the ground than this."""
         self.assertTrue(is_closed(surface.GetOutput()))
         self.assertGreaterEqual(points_of(surface)[:, 1].min(), HEIGHT - depth)
 
@@ -142,7 +141,6 @@ class TheSkinEndsOnIt(unittest.TestCase):
             self.assertLess(last(surface, "Volume"), 0.95 * cap_volume(RADIUS, HEIGHT))
 
     def test_neither_of_two_is_entered(self):
-        """The ground and a ceiling, as a union."""
         both = vtkImplicitBoolean()
         both.SetOperationTypeToUnion()
         both.AddFunction(ground())

@@ -1,6 +1,7 @@
 # ctest: LABELS acceptance
 """The history's Outside equals "outside by more than r" of Testing/Benchmarks/quality.py. For an
-inverted target, Outside is the fraction of the space around the points.
+inverted target, Outside is the fraction of the space around the points that the skin does not
+enclose.
 
 Run: python3 test_outside.py
 """

@@ -201,7 +201,6 @@ def report(case, failure):
 
 
 def try_all(cases, jobs):
-    """Failures, and the sums of the counts."""
     blocks = [cases[i : i + BLOCK] for i in range(0, len(cases), BLOCK)]
     failures, sums = [], {}
     with ThreadPoolExecutor(jobs) as pool:

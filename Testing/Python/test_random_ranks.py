@@ -37,7 +37,6 @@ class RandomRanks(unittest.TestCase):
             self.assertEqual(bool(len(part["errors"])), bool(len(alone[0]["errors"])), kept)
 
     def try_seed(self, seed, cases):
-        """Compares the cases of a seed on all sizes; returns the number of skins."""
         alone = self.folder()
         start(1, seed, 0, alone)  # or all are skipped
         start(0, seed, cases, alone)

@@ -76,7 +76,6 @@ class Ranks(unittest.TestCase):
         )
 
     def assert_same(self, folder, size, alone, expected_folder=None):
-        """Checks that the ranks' outputs, joined, are those of the program without MPI."""
         expected = load(expected_folder or self.alone, alone, 1)
         kept = load(folder, alone, size)
         self.assert_no_errors(folder, alone, size)

@@ -35,7 +35,6 @@ def count_in(path):
 
 
 def cubes(count=2):
-    """Cubes of side 1, three apart along x."""
     for i in range(count):
         cube = vtkCubeSource()
         cube.SetCenter(3 * i, 0, 0)
@@ -54,7 +53,6 @@ class Indices(ReaderTest):
         return self.put("a.pvd", f"<VTKFile><Collection>{rows}</Collection></VTKFile>")
 
     def xs(self, path):
-        """The x of the points of each frame, the times and the warnings."""
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             series = open_particles(path)
@@ -263,8 +261,6 @@ class Meshes(ReaderTest):
 
 
 class Empty(ReaderTest):
-    """Frames without particles in a series."""
-
     def assert_goes_on(self, suffix, write):
         empty, full = as_particles(numpy.zeros((0, 3))), as_particles(grid())
         for step in range(3):

@@ -14,7 +14,6 @@ SPACING = 0.05
 
 
 def block(*sides):
-    """Particles in the centres of cubes whose side is SPACING."""
     axes = [numpy.arange(SPACING / 2, side, SPACING) for side in sides]
     return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
 

@@ -79,7 +79,6 @@ def count_clusters(places, gap):
 class Splash(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        """Visits all steps once, and keeps the required data of each skin."""
         cls.messages, cls.closed, cls.pieces, cls.distances = [], [], [], []
         cls.clusters = []
         particles, surface = splash()

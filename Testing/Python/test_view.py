@@ -33,7 +33,6 @@ def turned(points, up):
 
 
 def block(*counts):
-    """A lattice of `counts` particles along the axes."""
     axes = [0.1 * numpy.arange(count) for count in counts]
     return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
 

@@ -58,7 +58,6 @@ In this way a wheel has room for particles. The water is at rest. The header say
 
 
 def check(name, text):
-    """Exit code and output, without the folder, for a file with this text."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, name)
         path.write_text(text, encoding="utf-8")

@@ -38,7 +38,6 @@ def read_ply(path):
 
 
 def read_glb(path):
-    """Attributes of the vertices, and the JSON."""
     content = path.read_bytes()
     (length,) = struct.unpack_from("<I", content, 12)
     described, data = json.loads(content[20 : 20 + length]), content[28 + length :]
@@ -102,7 +101,6 @@ class Writers(CommandTest):
         return self.ball
 
     def write(self, name, mesh, **options):
-        """The file and the warnings of writing it."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             skin_files.write_mesh(self.folder / name, mesh, **options)

@@ -27,7 +27,6 @@ SECONDS = 60  # limit for a step on a busy machine; most need less than one
 
 
 def block(step):
-    """A block of 8 x 8 x 8 particles that falls and spreads."""
     places = SPACING * numpy.stack(numpy.meshgrid(*3 * [numpy.arange(8.0)]), -1).reshape(-1, 3)
     wider = 1 + 0.02 * step
     fallen = 0.7 * (step / (FRAMES - 1)) ** 2
@@ -65,7 +64,6 @@ class Page(unittest.TestCase):
             numpy.savetxt(file, block(step), delimiter=",", header="x,y,z", comments="")
 
     def open(self):
-        """Opens the page and waits for its first picture."""
         port = free_port()
         names = [str(file) for file in self.files]
         options = ["--server", "--port", str(port), "--timeout", "0"]
@@ -110,7 +108,6 @@ class Page(unittest.TestCase):
         )
 
     def picture(self, page, name):
-        """The picture as drawn by the browser, as pixels."""
         path = PICTURES / f"{name}.png"
         page.locator("img.picture").screenshot(path=path)
         return pixels_of(path)
