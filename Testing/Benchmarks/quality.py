@@ -55,7 +55,7 @@ VIEW = (0.4, 0.5, 1.0)
 SECONDS = "seconds per frame"
 COMMON = [
     "defaults:",
-    "coat_particles: KernelRadius=3.4r ParticleThreshold=0.7 Attraction=100",
+    "kernels: KernelRadius=3.4r ParticleThreshold=0.7 Attraction=100",
 ]
 
 
