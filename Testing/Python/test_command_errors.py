@@ -167,9 +167,21 @@ class Data(CommandTest):
             found["spacing"], estimate_spacing(as_particles(numpy.delete(grid(), 7, 0)))
         )
         positions[7] = numpy.nan, 1e9, 0
-        numpy.savez(self.folder / "a.npz", positions=positions)
+        vectors, size = numpy.ones((len(positions), 3)), numpy.arange(len(positions), dtype=float)
+        vectors[2, 1] = size[:2] = numpy.nan
+        arrays = {"vectors": vectors, "size": size, "nothing": numpy.nan * size}
+        numpy.savez(self.folder / "a.npz", positions=positions, **arrays)
         found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
         self.assertLess(max(found["bounds"]), 10)
+        count = len(positions)
+        self.assertEqual(
+            [found["arrays"][name] for name in arrays],
+            [
+                "double x 3, length 1.73205 to 1.73205, 1 not finite",
+                f"double, 2 to {count - 1}, 2 not finite",
+                f"double, {count} not finite",
+            ],
+        )
         numpy.savez(self.folder / "a.npz", positions=numpy.full((4, 3), numpy.nan))
         found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
         self.assertNotIn("bounds", found)

@@ -138,12 +138,23 @@ def _arrays(data: Any) -> dict[str, str]:
         if array.GetNumberOfComponents() > 1:
             text += f" x {array.GetNumberOfComponents()}"
         if array.IsA("vtkDataArray") and array.GetNumberOfTuples():
-            low, high = array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
-            text += f", {'length ' * (array.GetNumberOfComponents() > 1)}{low:g} to {high:g}"
+            text += _range_of(vtk_to_numpy(array))
         name = array.GetName() or f"array {i}"
         texts = texts_of(arrays, name)
         found[name] = text if texts is None else _count_texts(texts)
     return found
+
+
+def _range_of(values: numpy.ndarray) -> str:
+    """The range of an array, or of its vectors' lengths, in words; each begins with a comma."""
+    lengths = values if values.ndim == 1 else numpy.linalg.norm(values.astype(float), axis=1)
+    finite = lengths[numpy.isfinite(lengths)]
+    text = (
+        f", {'length ' * (values.ndim > 1)}{finite.min():g} to {finite.max():g}"
+        if finite.size
+        else ""
+    )
+    return text + f", {lengths.size - finite.size} not finite" * (finite.size < lengths.size)
 
 
 def _count_texts(texts: Any) -> str:
