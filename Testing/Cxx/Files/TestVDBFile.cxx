@@ -28,7 +28,6 @@ namespace TestVDBFile
 namespace
 {
 
-// Writes a grid with three voxels in two leaves, and a grid with a box of vectors.
 std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   openvdb::initialize();
@@ -89,7 +88,6 @@ std::string BytesOf(Number number)
   return std::string(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-// Checks that a file with these bytes is refused with these words.
 void CheckRefused(const std::string& bytes, const std::string& words)
 {
   const std::string name = OutputName("damaged.vdb");
@@ -125,7 +123,6 @@ TEST(TestVDBFile, GridsAreReadAsTheyWereWritten)
   EXPECT_EQ(grid->activeVoxelCount(), 3u);
 }
 
-// Files are truncated at lengths by steps of a prime: in the header, in a topology, in values.
 TEST(TestVDBFile, FilesThatAreCutShortAreRefused)
 {
   const std::string name = WriteTwoGrids();

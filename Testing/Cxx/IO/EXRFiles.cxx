@@ -25,7 +25,7 @@
 namespace
 {
 
-// All channels of a file as floats or unsigned ints, row by row from the top.
+// Values of all channels of a file, row by row from the top.
 class Samples
 {
 public:

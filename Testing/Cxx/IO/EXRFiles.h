@@ -1,5 +1,5 @@
 // Images and EXR files for the tests of vtkActiveEXRReader and vtkActiveEXRWriter. OpenEXR itself
-// writes these files, of kinds that vtkActiveEXRWriter does not write.
+// writes the files, because vtkActiveEXRWriter does not write all kinds.
 #ifndef EXRFiles_h
 #define EXRFiles_h
 
@@ -16,16 +16,17 @@ class vtkDataArray;
 vtkSmartPointer<vtkDataArray> MakeNumbers(
   const std::string& name, int type, int components, vtkIdType tuples, unsigned seed);
 
-// width x height x 1 with RGBA, Z, N, P, forward (float) and id (unsigned int).
+// Image of one layer with the float arrays RGBA, Z, N, P, forward and the unsigned int array id,
+// all of pseudo-random bits.
 vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
 
-// Returns true if both arrays have the same bytes.
+// Returns true if both arrays exist and have the same type, size and bytes.
 bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b);
 
 std::vector<char> ReadBytes(const std::string& name);
 void WriteBytes(const std::string& name, const std::vector<char>& bytes);
 
-// Value of a channel at a pixel: an integer that differs between pixels and between channels.
+// Integer that differs between the pixels of a channel, and between the channels of a pixel.
 float ValueAt(int channel, int x, int y);
 
 // Files with channels R, G, B (HALF), Z (FLOAT) and id (UINT) that hold ValueAt(0 to 4, x, y) at
@@ -41,7 +42,8 @@ struct KindOfFile
 constexpr int FileWidth = 19, FileHeight = 13;
 void WriteKind(const std::string& name, const KindOfFile& kind);
 
-// Two parts, "left" and "right", as above. Values of "right" are greater by 1000.
+// Two parts, "left" and "right", with the channels of WriteKind. Values of "right" are greater by
+// 1000.
 void WriteTwoParts(const std::string& name);
 
 // Y at each pixel, RY and BY at every second pixel in both directions.

@@ -12,7 +12,6 @@
 
 #include <string>
 
-// Reads again, and checks that the message contains these words and that the output is empty.
 inline void CheckReadRefused(
   vtkActiveEXRReader* reader, unsigned long code, const std::string& words, const std::string& what)
 {

@@ -38,7 +38,6 @@ namespace TestEXRErrors
 
 using std::filesystem::path;
 
-// Writes, and checks that the writer fails with one error message that contains these words.
 void CheckWriteRefused(
   vtkActiveEXRWriter* writer, unsigned long code, const std::string& words, const std::string& what)
 {

@@ -63,7 +63,6 @@ std::vector<std::pair<std::string, Bytes>> MakeFiles()
   return files;
 }
 
-// Reads these bytes after the previous ones, and records the outcome.
 void TryBytes(vtkActiveEXRReader* reader, MessageCapture& messages, const Bytes& bytes,
   const std::string& what, Fuzzed& fuzzed)
 {
@@ -188,7 +187,6 @@ TEST(TestEXRFuzz, MovedBytesAreReadOrRefused)
   Fuzz("moved bytes", MoveBytes, Rounds);
 }
 
-// Each byte of the header in turn becomes 0xff and 0x7f, including all sizes.
 TEST(TestEXRFuzz, EachByteOfTheHeaderIsReadOrRefused)
 {
   const std::clock_t begin = std::clock(); // processor time, independent of other load
@@ -212,7 +210,6 @@ TEST(TestEXRFuzz, EachByteOfTheHeaderIsReadOrRefused)
   getrusage(RUSAGE_SELF, &after);
   EXPECT_TRUE(fuzzed.Refused > 1000) << "most are refused";
   EXPECT_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 60.0) << "seconds";
-  // Files of 3 kB can expand to 3 MB, at deflate's limit of 1032.
   EXPECT_LT((after.ru_maxrss - before.ru_maxrss) / 1024.0, 256.0) << "MiB more than before";
 }
 

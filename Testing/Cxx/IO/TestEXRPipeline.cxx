@@ -34,7 +34,6 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int Whole[6] = { 0, 6, 0, 4, 0, 0 };
 
-// Produces the requested part of an image of zeros.
 class Part : public vtkImageAlgorithm
 {
 public:

@@ -224,7 +224,6 @@ TEST(TestVDBDamage, DamagedSeveralGridsAreRefusedOrRead)
   CheckMutations(Write({ half, ball, same }, Blosc), "several");
 }
 
-// The file is truncated after each of its first 400 bytes, then after every 97 bytes.
 TEST(TestVDBDamage, TruncatedFilesAreRefused)
 {
   const std::string whole = Write({ MakeBallGrid() }, Blosc);

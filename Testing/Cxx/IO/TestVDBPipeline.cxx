@@ -27,7 +27,6 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 
-// Saves a file of one voxel for a time.
 std::string SaveAt(const std::string& folder, double time)
 {
   const std::string file = folder + std::to_string(time) + ".vdb";

@@ -318,8 +318,7 @@ TEST(TestVDBReader, AbsurdBoxesAreRefused)
   EXPECT_TRUE(errors.Has("WorldRegion")) << errors.GetLastError();
 }
 
-// Near the surface the function equals that of the dense image. Coordinates are rounded in two
-// different orders (1e-12). The filter starts on the level set.
+// The sparse level set and the dense image give the same function.
 TEST(TestVDBReader, LevelSetsStaySparse)
 {
   const std::string file = EmptyFolder("vdb_sparse") + "ball.vdb";

@@ -147,7 +147,6 @@ TEST(TestVDBWriter, DensityVelocityAndArraysAreThere)
   EXPECT_LT(v[0], -0.05) << "velocity on the x axis";
   EXPECT_NEAR(v[1], 0.0, 0.05 * std::fabs(v[0])) << "across";
   const double radius = GetSkinBounds(ball)[1];
-  // The skin's own curvature is second order: an error of 5 percent at 10 voxels of radius.
   EXPECT_NEAR(curvature->tree().getValue(openvdb::Coord(9, 0, 0)), 2.0 / radius, 0.1 / radius)
     << "curvature";
 }

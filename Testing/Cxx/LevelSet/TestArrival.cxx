@@ -141,8 +141,8 @@ TEST(TestArrival, BallThatVanishesStaysRound)
   EXPECT_NEAR(radii.Mean / H, .15 / H, OnTheWay);
 }
 
-// With plain distances the limb would arrive late by ten times its thickness. The shape of its
-// front, flat or a cap, is unspecified, so the tolerance of the tip is the thickness.
+// With plain distances the limb would arrive late. The shape of its front, flat or a cap, is
+// unspecified, so the tolerance of the tip is the limb's radius.
 TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
 {
   const double y = .02, z = -.013, half = .6, radius = .15;
@@ -194,9 +194,8 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
-// Before the arrival the Attraction, which decides how wide a hollow has to be, does not act. A
-// core opens if its speed, (0.4 - CoreRadius) / End = 0.16, exceeds 2 Tension / CoreRadius, here
-// 0.08.
+// Until the arrival, Attraction does not act. A core opens if its speed, (0.4 - CoreRadius) / End =
+// 0.16, exceeds the speed of tension, 2 Tension / CoreRadius, at most 0.08 here.
 TEST(TestArrival, HollowOpensAlsoAgainstTension)
 {
   const Shape goal = MakeShell(.7, .4);
@@ -319,8 +318,7 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
 // The corners of a box within a ring graze the ring or miss it by up to three voxels. The overlap
-// is too thin to grow from, so the box needs a core of its own. From the box to the ring, a core
-// fits into the ring.
+// is too thin to grow from, so the box needs a core of its own.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

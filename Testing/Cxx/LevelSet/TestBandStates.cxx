@@ -52,8 +52,7 @@ TEST(TestBandStates, AStartForgetsTheWorkBefore)
   EXPECT_EQ(band.GetWork().TargetEvaluations, 0u) << "evaluations";
 }
 
-// A ball is cut one voxel beyond the wall. The remainder can be polygonised, saved and resumed at
-// once.
+// The ball ends one voxel beyond the wall.
 TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
 {
   const double h = VoxelSizeOf(32);

@@ -56,7 +56,7 @@ struct Held
 };
 
 // A ball is in a steady state where the speed 2 b / r of the tension b equals the speed of the
-// penalty. Tolerance 1 %. The bias of the curvature is 0.3 % at this radius of 7 voxels.
+// penalty. The curvature has a bias of 0.3 % at a radius of 7 voxels, hence the tolerance of 1 %.
 TEST(TestControls, PenaltyOfVolumeLeavesTheExactOffset)
 {
   for (const Held& held :
@@ -121,8 +121,7 @@ bool operator==(const Topology& a, const Topology& b)
     a.EulerCharacteristic == b.EulerCharacteristic;
 }
 
-// Checks the measure after every substep. The projection ends at a relative error of 1e-9, or after
-// eight displacements.
+// Checks the measure after every substep.
 void CheckHeld(const Journey& journey, int n, double (NarrowBand::*measure)() const)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -152,7 +151,7 @@ Motion ExactWay(double attraction, double tension)
   return motion;
 }
 
-// Tolerance 1e-6. While the surface splits, crossings appear and vanish, which costs a digit: 1e-5.
+// In the course that splits, crossings appear and vanish, so its tolerance is 1e-5 instead of 1e-6.
 TEST(TestControls, ExactVolumeIsHeld)
 {
   const Point origin = { 0.0, 0.0, 0.0 };
@@ -169,9 +168,8 @@ TEST(TestControls, ExactVolumeIsHeld)
   }
 }
 
-// Two balls on a neck with a radius of two or three voxels. Tension tears the neck, and the sum of
-// both drops keeps the volume. The requirement is 2e-4. An exact control reaches 1e-5 through any
-// split.
+// The neck has a radius of two or three voxels. Tension tears the neck, and both drops together
+// keep the volume.
 TEST(TestControls, PeanutPinchesIntoTwoDropsOfItsVolume)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -189,9 +187,8 @@ TEST(TestControls, ExactAreaIsHeld)
   CheckHeld(journey, 40, &NarrowBand::GetArea);
 }
 
-// Tension turns the ellipsoid into the ball of the same area, which has the largest V / A^(3/2) of
-// all bodies. The reference is a ball started at its mean radius, with the same error of polygons.
-// The remaining spread, 0.04 h of 10 h, enters squared: 1e-3 is ample.
+// The ball has the largest V / A^(3/2) of all bodies. The reference ball is polygonised too, with
+// the same error of polygons.
 TEST(TestControls, HeldAreaGrowsToTheBallOfThatArea)
 {
   NarrowBand band(VoxelSizeOf(40));
@@ -217,7 +214,7 @@ TEST(TestControls, OtherVolumeThanAtTheStartCanBeHeld)
   motion.TargetVolume = 4.0 / 3.0 * Pi * radius * radius * radius;
   band.Advance(0.01, motion, none);
   EXPECT_NEAR(band.GetVolume() / motion.TargetVolume, 1.0, 1e-6) << "volume over TargetVolume";
-  // Radius of the ball of that volume. The polygons lie within the ball by h^2 / 8 r = 0.01 h.
+  // The polygons lie within the ball through their corners, by about h^2 / 6 r = 0.014 h.
   EXPECT_NEAR(GetRadii(Polygonise(band), CentreA).Mean / radius, 1.0, 0.002)
     << "radius over the exact one";
 }

@@ -111,7 +111,6 @@ void Rest(NarrowBand& band, double tension, Target& target)
   EXPECT_GT(report.SkippedSubsteps, 0u) << "substeps that were skipped before time 2";
 }
 
-// The potential at the active nodes left of 0.
 std::vector<float> GetLeftHalf(const NarrowBand& band)
 {
   std::vector<float> values;

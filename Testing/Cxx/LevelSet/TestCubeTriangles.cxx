@@ -247,7 +247,8 @@ TEST(TestCubeTriangles, EveryCaseUsesExactlyItsCrossedEdges)
   EXPECT_EQ(wrong, 0) << "the vertices of each case are its crossed edges";
 }
 
-// Implies that no diagonal lies in a face, where a neighbour voxel could use the same diagonal.
+// A diagonal in a face would have two triangles of this voxel, and could have two more of the
+// neighbour voxel.
 TEST(TestCubeTriangles, OnlyInteriorEdgesOfAVoxelHaveTwoTriangles)
 {
   int wrong = 0;

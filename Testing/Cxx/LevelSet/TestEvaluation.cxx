@@ -14,7 +14,6 @@ using namespace activesurface;
 
 namespace TestEvaluation
 {
-// Advances 200 substeps from one ball to another.
 Deviation Arrive(const Motion& motion, int n = 40)
 {
   const double h = VoxelSizeOf(n);
@@ -63,7 +62,6 @@ TEST(TestEvaluation, EvaluationAtTheSurfaceIsSmooth)
   }
 }
 
-// A substep evaluates the target once for each active node.
 TEST(TestEvaluation, EvaluationCountsItsPoints)
 {
   for (const TargetEvaluation evaluation :
@@ -91,7 +89,6 @@ TEST(TestEvaluation, PaperArrivesWithBumps)
   EXPECT_LT(4.0 * own.MeanAngle, paper.MeanAngle) << "normals against the default scheme's";
 }
 
-// The potential never leaves the thresholds, and equals one of them beyond the active nodes.
 TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
 {
   Motion motion;

@@ -183,9 +183,6 @@ TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
   EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL the motion resumes";
 }
 
-// The control stops at a relative error of 1e-9; potentials are floats, hence the tolerance of
-// 1e-6. To half or twice the volume the surface moves by 1.4 to 3.2 voxels, mostly more than
-// the 1.5 of one pass.
 TEST(TestExactControl, AStartHasTheTargetsAtOnce)
 {
   Motion motion = MakeMotion(0.0, 0.0);

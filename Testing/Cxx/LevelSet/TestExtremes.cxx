@@ -78,7 +78,6 @@ TEST(TestExtremes, SkinFarFromTheOriginKeepsItsPrecision)
   EXPECT_FALSE(Skin(near).NeedsDoublePrecision()) << "single precision near the origin";
 }
 
-// Number of threads that TBB may use for a band.
 int CountThreads(const NarrowBand& band)
 {
   int threads = 0;

@@ -68,8 +68,7 @@ TEST(TestGuards, SamplesThatAreNotFiniteAreDropped)
     EXPECT_TRUE(report.DroppedSamples > 0) << "dropped samples are counted, " << name;
     EXPECT_TRUE(report.DroppedSamples < report.TargetEvaluations) << "others are not, " << name;
     CheckClosed(band, name);
-    // The remaining distance is 0.1 e^-8. Tolerance 0.04 h for the crossings of chords (h / 8 r =
-    // 0.016 h).
+    // Linear crossings are off by up to h^2 / 8 r = 0.016 h.
     const Range radii = GetRadiiOfTheSoundHalf(Polygonise(band));
     EXPECT_NEAR((radii.Minimum - 0.5) / h, 0.0, 0.04) << "least radius of the sound half, " << name;
     EXPECT_NEAR((radii.Maximum - 0.5) / h, 0.0, 0.04)
@@ -344,7 +343,7 @@ TEST(TestGuards, TargetThatIsNotThreadSafeIsAskedByOneThread)
     band.SetNumberOfThreads(2);
     StartOn(band, MakeBall(CentreA, 0.5));
     WatchingTarget target(MakeBall(CentreA, 0.6), threadSafe);
-    // A second thread may need this long to start on a busy machine.
+    // A second thread may need seconds to start on a busy machine.
     target.LongestWait = threadSafe ? 5000 : 2;
     band.Advance(0.1, Motion(), target);
     EXPECT_TRUE(target.Points > 0) << "the target was asked";

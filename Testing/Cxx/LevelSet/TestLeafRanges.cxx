@@ -42,7 +42,6 @@ TEST(TestLeafRanges, EachLeafIsOfOneRank)
   }
 }
 
-// Each end of a range is off by less than a leaf; the header derives this bound.
 TEST(TestLeafRanges, SharesAreEvenButForALeaf)
 {
   const std::vector<std::size_t> before = MakeCosts(5000, 2);

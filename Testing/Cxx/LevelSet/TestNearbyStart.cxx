@@ -68,9 +68,7 @@ std::unique_ptr<NarrowBand> StartIn(
   return band;
 }
 
-// Balls are wider than two cells, so the lattice detects each of them. A ball may bulge by r -
-// sqrt(r^2 - s^2 / 2) into a cell of side s without a corner inside. This is at most 0.21 voxel,
-// within the spare voxel.
+// Balls are wider than two cells, so the lattice detects each of them.
 TEST(TestNearbyStart, HasTheBytesOfADenseStart)
 {
   RandomShapes random(31);
@@ -148,9 +146,9 @@ std::size_t CountEvaluations(InitialFunction function, const double bounds[6], s
   return evaluations;
 }
 
-// Neither the size of the box nor the distance of a ball of three voxels affects the cost. The ball
-// adds (3 / 19)^2 = 2.5 % to the surface. Layers around so small a ball are up to twice as large:
-// (3 + 4)^2 / (19 + 4)^2, 9 %.
+// Neither the size of the box nor the distance of the small ball affects the cost. The small ball,
+// of 3 voxels, adds up to (3 + 4)^2 / (19 + 4)^2 = 9 % to the large ball, of 19 voxels, with layers
+// of 4 voxels around both.
 TEST(TestNearbyStart, CostIsThatOfTheSurface)
 {
   std::vector<Ball> balls = { { CentreA, 0.8 } };
@@ -200,8 +198,7 @@ TEST(TestNearbyStart, NothingAndTooMuch)
   EXPECT_TRUE(band.IsEmpty());
 }
 
-// The error precedes any evaluation or allocation: the lattice would have two billion nodes along
-// each axis.
+// The lattice would have two billion nodes along each axis.
 TEST(TestNearbyStart, VoxelsThatAreFarTooSmallAreRefusedAtOnce)
 {
   const std::vector<Ball> balls = { { CentreA, 0.6 } };

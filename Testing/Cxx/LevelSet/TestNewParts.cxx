@@ -51,8 +51,7 @@ std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
   return count;
 }
 
-// Crossings of a ball's distance are exact except for the curvature of its level sets along an
-// edge. The chord is at most a voxel: h / 8 r = 0.03 voxel.
+// Linear crossings of a ball's distance are off by up to h / 8 r = 0.03 voxel.
 TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 {
   // The balls are 19 voxels apart: five layers and the remainders of two leaves do not meet.
@@ -77,9 +76,8 @@ TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
   EXPECT_GT(CountOtherLeaves(*with, *without), 0u);
 }
 
-// The nearest node is at most 0.87 voxel from the centre, and the radius grows by 0.1 voxel per
-// substep. The radius is at first within 1.1 voxels. The crossings on the edges of one node are
-// within a voxel of this node.
+// The part appears when the ball contains a node, which is at most 0.87 voxel from the centre. The
+// radius grows by 0.1 voxel per substep. The first crossings are within a voxel of this node.
 TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
 {
   constexpr double speed = 0.2;
@@ -212,7 +210,7 @@ struct Crowd
   int Unions = 0;
 };
 
-/** Balls whose pairs either overlap by half a radius or are three voxels apart. */
+/** Balls whose pairs overlap by at least half a radius or are at least three voxels apart. */
 Crowd DrawCrowd(int count)
 {
   RandomShapes random(912);
@@ -294,7 +292,7 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   EXPECT_TRUE(AreIdentical(*band, *FollowCrowd(crowd, true, 2))) << "order";
 }
 
-// The radius is 16 voxels. Leaves within 11 voxels of the centre have no layer, and become tiles.
+// The radius is 16 voxels. Leaves at the centre have no layer, and become tiles.
 TEST(TestNewParts, LargePartIsInsideThroughout)
 {
   const Ball large = { { 0.4, 0.0, 0.0 }, 16.0 * H / 2.0 };
@@ -315,7 +313,7 @@ TEST(TestNewParts, LargePartIsInsideThroughout)
   }
 }
 
-// All nodes of a box are sampled if it may contain parts away from its centre.
+// AllNodes samples all nodes of a box, because parts may be away from its centre.
 TEST(TestNewParts, OneBoxFindsAllParts)
 {
   const std::vector<Ball> balls = { Left, Right, { { 0.0, 0.7, 0.7 }, 0.1 },

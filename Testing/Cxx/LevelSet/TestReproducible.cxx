@@ -36,7 +36,6 @@ Scene MakeScene(const char* name, double time, double attraction, double tension
   return scene;
 }
 
-/** Scenes that together use every kind of motion and every part of a substep. */
 std::vector<Scene> MakeScenes()
 {
   std::vector<Scene> scenes = { MakeScene("tracking", 0.6, 1.0, 0.0),
@@ -192,7 +191,6 @@ TEST(TestReproducible, InterruptionLeavesNoTrace)
   }
 }
 
-// Former use of the object for another motion has no effect.
 TEST(TestReproducible, FormerUseLeavesNoTrace)
 {
   const auto reference = RunScene(Scenes[1], 2, { MakeSixMetaballs(), MakeRing() });

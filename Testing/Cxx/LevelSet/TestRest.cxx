@@ -17,8 +17,6 @@ namespace TestRest
 constexpr double Pi = 3.14159265358979323846;
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
-// Advances a number of substeps of any length. In the steady state the length of a substep is about
-// 1 / (slope of the target) = 1.
 void Settle(NarrowBand& band, Target& target, int substeps)
 {
   int asked = 0;
@@ -108,7 +106,6 @@ TEST(TestRest, BallBeyondBalanceCollapsesAtTheExactTime)
   CheckCollapse({ CentreA, 0.6 });
 }
 
-// At b = R^2 / 6 the exact time is the same for all balls.
 TEST(TestRest, BallBeyondBalanceCollapsesAtTheExactTimeAtRandom)
 {
   RandomShapes random(7);

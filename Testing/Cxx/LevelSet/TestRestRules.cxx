@@ -129,7 +129,6 @@ TEST(TestRestRules, MoreSamplesAreAsThoseOfAll)
   EXPECT_EQ(different, 0) << "samples that differ";
 }
 
-// Surface speed of each leaf, from FindRates.
 std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
 {
   LeafTable& table = leaves.Table;

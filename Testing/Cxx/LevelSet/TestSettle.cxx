@@ -118,8 +118,6 @@ TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
   }
 }
 
-// In the steady state the potential stays bitwise identical, and the surface still follows a later
-// motion of the target.
 TEST(TestSettle, SurfaceSleepsAtRestAndWakes)
 {
   const Shape ring = MakeTorus({ 0.01, 0.02, 0.013 }, 0.55, 0.22);
@@ -195,7 +193,6 @@ TEST(TestSettle, SurfaceRestsOnTheWall)
   }
 }
 
-// Nothing crosses the wall, whether penalties, tension or exact volume control move the surface.
 TEST(TestSettle, NothingCrossesTheWall)
 {
   for (const Control control : { Control::Penalty, Control::Exact })

@@ -53,7 +53,8 @@ std::size_t CountCrossedEdges(const NarrowBand& band)
   return count;
 }
 
-// Point in lattice coordinates: the node below it, and its height above that node along one axis.
+// Point near a lattice edge: the edge's lower node and axis, and the point's height above this node
+// [voxels].
 struct EdgePoint
 {
   openvdb::Coord Lower;
@@ -159,7 +160,8 @@ double GetLeastAltitude(const Mesh& mesh, std::size_t triangle)
   return longest > 0.0 ? Length(mesh.GetAreaVector(triangle)) / longest : 0.0;
 }
 
-// Number of triangles with a least altitude that face away from the normals at their corners.
+// Number of triangle corners whose normal faces away from the triangle. Ignores triangles of at
+// most this altitude.
 std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
 {
   std::size_t count = 0;
@@ -175,7 +177,7 @@ std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
   return count;
 }
 
-// On a surface of curvature radius r, the corners of a triangle are off its tangent plane by up to
+// The corners of a triangle are off the tangent plane of a surface of curvature radius r by up to
 // d^2 / 2 r, d < 1.8 h. The tilt of the triangle is this offset over its least altitude.
 void CheckOrientation(const Mesh& mesh, double curvatureRadius, double h, const std::string& name)
 {
@@ -260,7 +262,7 @@ double GetDistance(const Segment& segment, const Point& point)
     std::max(0.0, Dot(to, to) - 2.0 * fraction * Dot(to, along) + fraction * fraction * square));
 }
 
-// One to eight points and segments with compact kernels, half of them cut by the box's faces.
+// One to eight points and segments with compact kernels.
 Shape MakeRandomSkeleton(std::mt19937& random, double extent)
 {
   // Avoids standard distributions, whose numbers differ between libraries.
@@ -310,8 +312,7 @@ TEST(TestSkin, HundredRandomSkeletonsHaveAClosedSkin)
   }
 }
 
-// Includes surfaces between two shapes, where the potential is no distance and necks are one voxel
-// wide.
+// Includes surfaces between two shapes, where the potential is no distance.
 TEST(TestSkin, SkinIsClosedWhileItMoves)
 {
   NarrowBand band(VoxelSizeOf(40));

@@ -17,8 +17,7 @@ using namespace activesurface;
 namespace TestSkinMotion
 {
 
-// The error is second order: at most (h / r)^2 of 2 / r. The spread includes half a voxel of the
-// radius at which a node's curvature is evaluated and interpolated.
+// The mean error is second order: at most (h / r)^2 of 2 / r.
 TEST(TestSkinMotion, CurvatureOfABallIsTwoOverItsRadius)
 {
   for (const int n : { 32, 64 })
@@ -50,9 +49,8 @@ struct Course
   double Begin; // time of the speed
 };
 
-// Displacement of the skin in a short time, from the mean of its speeds at the beginning and the
-// end, compared with its distance from the earlier skin. Tolerance: 5 % of the mean displacement,
-// in the mean. Within a tenth of a voxel the speed changes little.
+// Compares the displacement of the skin in a short time with its speeds at the beginning. Within a
+// tenth of a voxel the speed changes little.
 void CheckSpeeds(const Course& course, int n)
 {
   const double h = VoxelSizeOf(n);

@@ -18,9 +18,7 @@ namespace
 constexpr double VoxelSize = 0.02;
 constexpr double LengthOfTension = 0.1; // sqrt(Tension / Attraction)
 
-// Advances by 40 / Attraction. A distance of 0.1 then vanishes, both at the rate of the steady
-// state above the fold, 0.64 Attraction, and with the delay below the fold, at a radius of 2.83
-// LengthOfTension.
+// Advances by 40 / Attraction. If a steady state exists, the rate of approach is 0.64 Attraction.
 void Settle(NarrowBand& band, double radius)
 {
   constexpr double bounds[6] = { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 };

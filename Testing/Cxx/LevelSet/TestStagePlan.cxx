@@ -21,7 +21,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 using Vector = std::array<double, 3>;
 
-// g / b of a wave exp(i k x) on the plane with the normal n, by differences over 2 S nodes.
+// Returns g / b (see StagePlan.h) of a wave exp(i k x) on the plane with the normal n, by
+// differences over 2 S nodes.
 double FactorOf(const Vector& k, const Vector& n, double S)
 {
   const auto second = [&](int i) { return -4.0 * std::pow(std::sin(0.5 * S * k[i]) / S, 2); };
@@ -55,10 +56,12 @@ void ForEachWave(Visitor&& visit)
   }
 }
 
-// Tensions of a frame: automatic ones of voxels of r, r / 2 and r / 4 are 3, 12, 48.
+// Values of b. The automatic b is 3, 12 and 48 for voxels of r, r / 2 and r / 4, with r the radius
+// of a particle.
 const std::vector<float> Tensions = { 0.f, 1e-3f, .5f, 3.f, 6.f, 7.9f, 12.f, 12.7f, 48.f, 1e3f };
 
-// The factor by which the stages first to last multiply a wave of g, with attraction.
+// Factor by which the stages from `first` to before `last` multiply a wave, with g as in
+// StagePlan.h and the attraction a.
 double MultiplyWave(const StagePlan& plan, int first, int last, double g, double a)
 {
   double size = 1.0;

@@ -153,7 +153,6 @@ TEST(TestTension, BallVanishesAtTheExactTime)
   }
 }
 
-// The smallest ball, of 4.2 h, needs 4.4 h^2 / b: the last voxel's part is a quarter larger.
 TEST(TestTension, BallVanishesAtTheExactTimeAtRandom)
 {
   RandomShapes random(3);

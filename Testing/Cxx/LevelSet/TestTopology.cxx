@@ -1,6 +1,5 @@
-// Bodies, voids and handles follow those of the target. Bodies split and merge, voids and handles
-// open and close, without special treatment. All of these appear only where the surface can move
-// to.
+// Bodies, voids and handles become those of the target, without special treatment, where the
+// surface can move to.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -49,8 +48,7 @@ Shape DrawShell(RandomShapes& random, double outerRadius, double innerRadius)
   return Move(MakeShell(outer, inner), random.DrawPointNear(Origin));
 }
 
-// The tests at random draw centres within 0.05 and radii within 10 %. Bodies that overlap still
-// overlap, and bodies apart stay apart, unless a comment describes how this is ensured.
+// The tests at random draw centres within 0.05 and radii within 10 %.
 
 // Twelve time constants after the start, e^-12 of the distance remains: 0.0001 h.
 void CheckTopology(const Shape& start, const Shape& end, const Topology& expected, int n = 40)
@@ -167,8 +165,7 @@ TEST(TestTopology, VoidMoves)
   CheckTopology(MakeShell(0.5, 0.4), MakeShell(0.7, 0.25), { 1, 1, 4 });
 }
 
-// Start and target have one centre, so that the target's void is within the start's. The start is
-// 0.1 thick as above, two voxels.
+// Start and target have one centre, so that the target's void is within the start's.
 TEST(TestTopology, VoidMovesAtRandom)
 {
   RandomShapes random(178);
@@ -194,8 +191,8 @@ TEST(TestTopology, BallApartFromItsTargetVanishesAtRandom)
   CheckTopology(start, DrawBall(random, { { 0.5, 0.0, 0.0 }, 0.25 }), { 0, 0, 0 });
 }
 
-// Under tension the case is marginal at n = 40. The lens that both balls share is 0.1 thick, two
-// voxels, and with CFL 0.6 or less it vanishes first. From n = 48 on the time step does not decide.
+// Under tension the case is marginal at n = 40: the lens that both balls share is 0.1 thick, two
+// voxels.
 TEST(TestTopology, SmallOverlapIsEnoughToArrive)
 {
   const Shape start = MakeBall({ -0.2, 0.0, 0.0 }, 0.3);
@@ -205,8 +202,8 @@ TEST(TestTopology, SmallOverlapIsEnoughToArrive)
   }
 }
 
-// The lens is 0.1 thick, and at least as wide as above. The lens of smaller balls is narrower, and
-// tension may make it vanish, at n = 96 too.
+// The balls are not smaller than above: the lens of smaller balls is narrower, and tension may make
+// it vanish.
 TEST(TestTopology, SmallOverlapIsEnoughToArriveAtRandom)
 {
   RandomShapes random(180);

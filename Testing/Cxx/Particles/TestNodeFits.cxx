@@ -204,8 +204,8 @@ TEST(TestNodeFits, OneParticleIsABallAroundIt)
     Shell shell;
     nodes.FindShell(false, shell);
     ASSERT_FALSE(shell.Leaves.empty());
-    // In voxels, the radius of a ball is r + 0.155 / r, with r the own radius; its kernel is
-    // shorter.
+    // Lengths are in voxels. The radius of a lone ball is own + 0.155 / own, with own the
+    // particle's own radius. The ball's kernel is shorter than Reach.
     const double own = R / Voxel, ball = own + 0.155 / own, reach = 0.7 * Reach / Voxel;
     const double lone = std::pow(1.0 - ball * ball / reach / reach, 3.0);
     for (const ShellLeaf& leaf : shell.Leaves)

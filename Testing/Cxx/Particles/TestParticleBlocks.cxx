@@ -34,7 +34,7 @@ private:
   std::vector<ParticleCube> All;
 };
 
-// Small particles beside one whose radius is `ratio` times as large.
+// Particles with radii from 0.5 to 1 beside one with the radius `ratio`.
 Cubes MakeMixed(int count, double ratio)
 {
   Random random(11);
@@ -132,7 +132,8 @@ TEST(TestParticleBlocks, AllParticlesThatTouchABoxAreFound)
   }
 }
 
-// Otherwise each leaf would visit all particles within the support of the largest.
+// If a large particle brought the small ones, each leaf would visit all particles within the
+// support of the largest.
 TEST(TestParticleBlocks, OneLargeParticleDoesNotBringTheSmallOnes)
 {
   const MixedParticles mixed(20000, 20.0);

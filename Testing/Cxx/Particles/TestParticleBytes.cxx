@@ -70,7 +70,6 @@ void ExpectSame(const ParticleFrame& found, const ParticleFrame& expected)
 
 }
 
-// Shared out to five ranks at random, and merged.
 TEST(TestParticleBytes, MergedPartsAreTheWhole)
 {
   const Kind kinds[] = { { true, false, false, true }, { false, true, false, true },

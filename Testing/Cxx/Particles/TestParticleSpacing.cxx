@@ -94,7 +94,7 @@ TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
   EXPECT_NEAR(FindSpacing(stray), Spacing, 1e-8);
 }
 
-// The result is independent of the unit and of other points.
+// Neither the unit of length nor points far away change the result.
 TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
 {
   for (const double unit : { 1e-100, 1e-25, 1e25, 1e100 })
@@ -107,8 +107,8 @@ TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
   }
 }
 
-// With bins of one size, all particles but the stray would be in one bin. Each sample would search
-// all particles, and need a hundred times as long.
+// With bins of one size, all particles but the stray would be in one bin, and each sample would
+// search all of them.
 TEST(TestParticleSpacing, AStrayCostsNothing)
 {
   const ParticleFrame frame = MakeLattice(40);

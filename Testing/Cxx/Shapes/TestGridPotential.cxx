@@ -178,7 +178,6 @@ TEST(TestGridPotential, GradientIsThatOfTheValue)
   }
 }
 
-// Turned axes may be mirrored, and spacing may be negative.
 TEST(TestGridPotential, MirroredAxesAreNoError)
 {
   Place place(false);

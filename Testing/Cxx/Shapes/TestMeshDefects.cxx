@@ -17,9 +17,8 @@ using namespace activesurface;
 namespace TestMeshDefects
 {
 
-// The shell's walls are spheres 0.2 inside and outside of the mesh. Its distance has a kink at the
-// mesh, which interpolation smooths within two voxels. Elsewhere the error is that of a sphere,
-// 0.01 at h = 0.05.
+// The shell's walls are spheres 0.2 inside and outside of the mesh. Distances are accurate to 0.01,
+// except within two voxels of the mesh.
 TEST(TestMeshDefects, OpenMeshesBecomeShells)
 {
   const auto half = MakeSphere(Radius, 24, 90.0);
@@ -52,7 +51,7 @@ TEST(TestMeshDefects, OpenMeshesBecomeShells)
 
 // Winding numbers need the orientation of each triangle, of which strips reverse every second one.
 // Their error depends on the order of the triangles, and is below 0.01. At the hole, of radius
-// 0.87, their slope is about 1 / (2 * 0.87), so the cap shifts by less than 0.0175.
+// 0.69, their slope is about 1 / (2 * 0.69), so the cap shifts by less than 0.014.
 TEST(TestMeshDefects, AnOpenMeshOfStripsHasTheInsideOfItsPolygons)
 {
   const auto bowl = MakeSphere(Radius, 24, 120.0);

@@ -28,9 +28,9 @@ double LengthOf(const Point& x)
 }
 }
 
-// The mesh lies up to r/8 (dtheta^2 + dphi^2) within the sphere. At a distance rho from the centre
-// the second derivatives of the distance sum up to 2 / rho. Trilinear interpolation is then off by
-// h^2 / 4 rho, and its gradient by about 2 h / rho. Samples are floats, up to 16 voxels: 1e-6 h.
+// The mesh lies up to r/8 (dtheta^2 + dphi^2) within the sphere. At a distance rho from the centre,
+// the Laplacian of the distance is 2 / rho. Trilinear interpolation is then off by h^2 / 4 rho, and
+// its gradient by about 2 h / rho.
 TEST(TestMeshPotential, SphereHasItsDistance)
 {
   const double h = 2.0 * Radius / 64.0, reach = 2.0 * Radius * std::sqrt(3.0) / 8.0;
@@ -116,9 +116,8 @@ TEST(TestMeshPotential, EqualPointsAreOne)
   EXPECT_NEAR(ValueAt(potential, { 0.7, 0.0, 0.0 }), -0.1, 0.02) << "inside of strips";
 }
 
-// The notch of an L is outside: its faces are triangulated as polygons, not as fans from any
-// corner. Flat faces are exact up to the single precision of samples, up to 2 / h = 40 voxels:
-// 1e-6.
+// A fan from some corners would cover the notch of the L. Flat faces are exact up to the single
+// precision of samples, up to 2 / h = 40 voxels: 1e-6.
 TEST(TestMeshPotential, PolygonsMayBeConcave)
 {
   std::vector<Point> places;

@@ -107,7 +107,6 @@ TEST(TestSkeletonBatch, CrowdsGiveTheBitsOfSinglePlaces)
   SetInstructionSet(usual);
 }
 
-// Every fifth point is not finite, within its cluster. Comparisons with NaN are always false.
 TEST(TestSkeletonBatch, PlacesThatAreNotFiniteLeaveTheirCrowdAlone)
 {
   Random random(9);

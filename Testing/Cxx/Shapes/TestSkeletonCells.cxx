@@ -109,8 +109,6 @@ TEST(TestSkeletonCells, CellsOfManyElementsGiveTheSumOverAll)
   CheckAgainstParts(shape, 6500, 0, PlacesNear(shape, random, 60), "9000 elements");
 }
 
-// One size of cells, huge empty space, coordinates so large that the radius keeps few digits, many
-// elements at one point, a flat cloud.
 TEST(TestSkeletonCells, CellsAreRightForAnyLayout)
 {
   Random random(5);

@@ -134,7 +134,7 @@ TEST(TestSkeletonPotential, GradientIsThatOfTheValue)
   }
 }
 
-// A segment acts like a point at the same distance. Tolerance for rounding: 1e-14.
+// A segment acts like a point at the same distance.
 TEST(TestSkeletonPotential, SegmentIsACapsule)
 {
   SkeletonBuilder shape;
@@ -161,7 +161,6 @@ TEST(TestSkeletonPotential, SegmentIsACapsule)
 }
 
 // At a quarter of the length, radius and strength have changed by a quarter of the difference.
-// Tolerance for rounding: 1e-14.
 TEST(TestSkeletonPotential, RadiusAndStrengthRunLinearly)
 {
   SkeletonBuilder shape;
@@ -179,8 +178,7 @@ TEST(TestSkeletonPotential, RadiusAndStrengthRunLinearly)
   }
 }
 
-// Cutting a line into pieces, or into cells of their own, changes nothing. Tolerance for rounding:
-// 1e-13.
+// Cutting a line into pieces, or into cells of their own, changes nothing.
 TEST(TestSkeletonPotential, JointsDoNotBulge)
 {
   SkeletonBuilder whole;
@@ -254,8 +252,7 @@ TEST(TestSkeletonPotential, CopiesOfAnEndAreOnePoint)
   EXPECT_EQ(ValueAt(ofSingle, corners[0]), -0.5) << "one point";
 }
 
-// On the outer side of a bend or branching, the joint acts as one point. Tolerance for rounding:
-// 1e-14.
+// On the outer side of a bend or branching, the joint acts as one point.
 TEST(TestSkeletonPotential, BendsAndBranchesAreOneAtTheJoint)
 {
   SkeletonBuilder shape;

@@ -1,5 +1,6 @@
 /**
- * Shapes with a formula, as starts and as targets of the exact tests. All NEGATIVE INSIDE.
+ * Shapes with a formula, as starts and as targets of the exact tests. All values are negative
+ * inside.
  */
 #ifndef AnalyticShapes_h
 #define AnalyticShapes_h
