@@ -265,7 +265,7 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   refuse(bad, vtkErrorCode::FileFormatError, "attribute \"dataWindow\"");
 }
 
-// An image with time steps, empty at the third of them.
+// Image with two or four time steps. The third of four is empty.
 class Clock : public vtkImageAlgorithm
 {
 public:

@@ -33,7 +33,7 @@ double At(vtkImageData* image, const char* array, int component, int x, int y)
     image->ComputePointId(place.data()), component);
 }
 
-// Compares all channels with ValueAt plus `offset`.
+// Compares all pixels of all channels with ValueAt. The display window is FileWidth x FileHeight.
 void CheckPixels(vtkImageData* image, double offset, const std::string& what)
 {
   int extent[6];

@@ -1,5 +1,5 @@
-// Thousands of damaged .vdb files: each is read, or refused with an error message, and leaves no
-// output of the previous file. A crash, a hang or an unbounded allocation ends the test.
+// Thousands of damaged .vdb files: each is read, or refused with an error message and an empty
+// output. A crash, a hang or an unbounded allocation fails the test.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"

@@ -1,4 +1,5 @@
-// Information that vtkActiveVDBReader provides to the pipeline, and PrintSelf of both .vdb classes.
+// Information that vtkActiveVDBReader provides to the pipeline, its PrintSelf, and the ErrorCode of
+// vtkActiveVDBWriter.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"

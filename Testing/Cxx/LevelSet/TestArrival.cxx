@@ -194,8 +194,9 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
-// Until the arrival, Attraction does not act. A core opens if its speed, (0.4 - CoreRadius) / End =
-// 0.16, exceeds the speed of tension, 2 Tension / CoreRadius, at most 0.08 here.
+// Before the arrival the Attraction, which decides how wide a hollow has to be, does not act. A
+// core opens if its speed, (0.4 - CoreRadius) / End = 0.16, exceeds 2 Tension / CoreRadius, here
+// 0.08.
 TEST(TestArrival, HollowOpensAlsoAgainstTension)
 {
   const Shape goal = MakeShell(.7, .4);
@@ -318,7 +319,8 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
 // The corners of a box within a ring graze the ring or miss it by up to three voxels. The overlap
-// is too thin to grow from, so the box needs a core of its own.
+// is too thin to grow from, so the box needs a core of its own. From the box to the ring, a core
+// fits into the ring.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

@@ -140,9 +140,9 @@ TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
     EXPECT_LT(report.SkippedSubsteps, 2u)
       << "substeps in which nothing moved: the first, until the target does";
 
-    // The right metaball, of the speed U, is followed with a lag of at most U / Attraction. Tension
-    // adds an offset of at most 2 / r * Tension / Attraction. The target's slope, 3.8, reduces
-    // both.
+    // The skin follows the right metaball, of the speed U, with a lag of about U / Attraction.
+    // Tension adds an offset of about 2 / r * Tension / Attraction. The target's slope, 3.8,
+    // reduces lag and offset.
     const double lag = 0.2 * 3.0 * std::cos(1.5) / 5.0 / VoxelSize;
     const double within = 2.0 * tension / (Support * 0.5) / 5.0 / VoxelSize;
     const double off =

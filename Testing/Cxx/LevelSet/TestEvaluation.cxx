@@ -33,8 +33,8 @@ Motion EvaluatedAt(TargetEvaluation evaluation)
   return motion;
 }
 
-// Each node stops where F is zero at the node, not at the surface, which leaves a staircase. In the
-// steady state F is zero at nodes, so the surface is off by a fraction of a voxel.
+// With F evaluated at the nodes, the surface stops anywhere between nodes inside the target and
+// nodes outside. This leaves a staircase.
 TEST(TestEvaluation, EvaluationAtTheNodesFreezesIntoAStaircase)
 {
   const Deviation deviation = Arrive(EvaluatedAt(TargetEvaluation::Node));

@@ -148,7 +148,7 @@ TEST(TestExactControl, TwoBlocksKeepTheirVolumeWhileTheyMerge)
   CheckScene({ "two blocks", MakeTwoBlocks(), ball, 0.1, 0.04, 2 }, Control::None, 1e-5);
 }
 
-// A time step of thirty times the stable one makes any potential diverge.
+// A time step of thirty times the stable one makes the potential diverge.
 TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
 {
   NarrowBand band(VoxelSizeOf(40));

@@ -50,7 +50,7 @@ TEST(TestExtremes, BoundsThatWouldTakeMinutesToSampleAreRefused)
     << "2000^3 nodes are more than 40 * 50000000";
 }
 
-// At 2^20 voxels from the origin, single precision resolves a sixteenth of a voxel.
+// At 2^20 voxels from the origin, single precision rounds by up to a sixteenth of a voxel.
 TEST(TestExtremes, SkinFarFromTheOriginKeepsItsPrecision)
 {
   const double h = 0.0625, far = h * (1 << 20);

@@ -51,7 +51,8 @@ std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
   return count;
 }
 
-// Linear crossings of a ball's distance are off by up to h / 8 r = 0.03 voxel.
+// Crossings of a ball's distance are exact except for the curvature of its level sets along an
+// edge. The chord is at most a voxel: h / 8 r = 0.03 voxel.
 TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 {
   // The balls are 19 voxels apart: five layers and the remainders of two leaves do not meet.
@@ -76,8 +77,9 @@ TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
   EXPECT_GT(CountOtherLeaves(*with, *without), 0u);
 }
 
-// The part appears when the ball contains a node, which is at most 0.87 voxel from the centre. The
-// radius grows by 0.1 voxel per substep. The first crossings are within a voxel of this node.
+// The nearest node is at most 0.87 voxel from the centre, and the radius grows by 0.1 voxel per
+// substep. The radius is at first within 1.1 voxels. The crossings on the edges of one node are
+// within a voxel of this node.
 TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
 {
   constexpr double speed = 0.2;
@@ -292,7 +294,7 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   EXPECT_TRUE(AreIdentical(*band, *FollowCrowd(crowd, true, 2))) << "order";
 }
 
-// The radius is 16 voxels. Leaves at the centre have no layer, and become tiles.
+// The radius is 16 voxels. Leaves within 11 voxels of the centre have no layer, and become tiles.
 TEST(TestNewParts, LargePartIsInsideThroughout)
 {
   const Ball large = { { 0.4, 0.0, 0.0 }, 16.0 * H / 2.0 };
@@ -313,7 +315,7 @@ TEST(TestNewParts, LargePartIsInsideThroughout)
   }
 }
 
-// AllNodes samples all nodes of a box, because parts may be away from its centre.
+// All nodes of a box are sampled if it may contain parts away from its centre.
 TEST(TestNewParts, OneBoxFindsAllParts)
 {
   const std::vector<Ball> balls = { Left, Right, { { 0.0, 0.7, 0.7 }, 0.1 },

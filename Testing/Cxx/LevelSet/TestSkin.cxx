@@ -53,8 +53,7 @@ std::size_t CountCrossedEdges(const NarrowBand& band)
   return count;
 }
 
-// Point near a lattice edge: the edge's lower node and axis, and the point's height above this node
-// [voxels].
+// Point in lattice coordinates: the node below it, and its height above that node along one axis.
 struct EdgePoint
 {
   openvdb::Coord Lower;
@@ -177,7 +176,7 @@ std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
   return count;
 }
 
-// The corners of a triangle are off the tangent plane of a surface of curvature radius r by up to
+// On a surface of curvature radius r, the corners of a triangle are off its tangent plane by up to
 // d^2 / 2 r, d < 1.8 h. The tilt of the triangle is this offset over its least altitude.
 void CheckOrientation(const Mesh& mesh, double curvatureRadius, double h, const std::string& name)
 {
@@ -312,7 +311,8 @@ TEST(TestSkin, HundredRandomSkeletonsHaveAClosedSkin)
   }
 }
 
-// Includes surfaces between two shapes, where the potential is no distance.
+// Includes surfaces between two shapes, where the potential is no distance and necks are one voxel
+// wide.
 TEST(TestSkin, SkinIsClosedWhileItMoves)
 {
   NarrowBand band(VoxelSizeOf(40));

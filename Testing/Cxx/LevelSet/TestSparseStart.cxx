@@ -124,8 +124,10 @@ std::vector<Ball> DrawBalls(int count, double least, double most)
   return balls;
 }
 
-// Both starts use |F| / |grad F| where F is a smooth distance. The dense start rounds F to single
-// precision, which changes u by up to 3.7e-6 voxel.
+// Both starts use |F| / |grad F|, which the distances to crossings do not limit where F is a smooth
+// distance. The dense start rounds F to single precision, scaled to 1 .. 2. Six values of at most 6
+// voxels are each off by 2^-24 of 6 voxels. They change the norm of the gradient, about 1, by at
+// most sqrt(3) 2^-24 6. They change u <= 5 by 5 times that and by its own rounding: 3.7e-6.
 constexpr double Rounding = 4e-6;
 
 TEST(TestSparseStart, BallIsThatOfTheDenseStart)
@@ -150,8 +152,7 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = 2.0 * pi * (i % pieces) / pieces;
     const double r = ring + tube * std::cos(b);
-    // Points of the surface are at most 2 pi 0.86 / 60 apart, so boxes meet whose half side is half
-    // of that.
+    // Points of the surface are at most 2 pi 0.86 / 60 apart: boxes of half that size meet.
     regions.push_back(RegionAround({ { CentreA[0] + r * std::cos(a), CentreA[1] + r * std::sin(a),
                                        CentreA[2] + tube * std::sin(b) },
       pi * (ring + tube) / pieces }));
@@ -163,9 +164,11 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   EXPECT_LE(difference.Largest, Rounding);
 }
 
-// F has creases where balls meet. There each start keeps u within half of a marched distance d',
-// with d / sqrt(3) <= d' <= d for the distance d along edges, at most 6 voxels. So u is between 0.5
-// / sqrt(3) and 1.5 times d.
+// F has creases where balls meet. Both starts stay there within half of distances d'. These
+// distances are marched from node to node, from planes through the crossings of the nodes of
+// crossed edges. With d the distance to the nearest crossing along edges, the same in both: d /
+// sqrt(3) <= d' <= d. A node of layer 2 is three edges and a fraction from its crossing, a pocket
+// six. So u is between 0.5 / sqrt(3) and 1.5 times 6 voxels at most.
 constexpr double LargestDifferenceAtCreases = (1.5 - 0.5 / 1.7320508) * 6.0;
 
 TEST(TestSparseStart, RandomBallsAreThoseOfTheDenseStart)
@@ -271,7 +274,7 @@ std::vector<TargetRegion> RegionsAlong(const Ball& ball)
   for (int i = 0; i < pieces * pieces; ++i)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = pi * (i % pieces + 0.5) / pieces;
-    // Points are at most 2 pi r / 80 apart, so boxes meet whose half side is half of that.
+    // Points are at most 2 pi r / 80 apart: boxes of half that size meet.
     regions.push_back(RegionAround({ { ball.Centre[0] + ball.Radius * std::cos(a) * std::sin(b),
                                        ball.Centre[1] + ball.Radius * std::sin(a) * std::sin(b),
                                        ball.Centre[2] + ball.Radius * std::cos(b) },

@@ -176,7 +176,8 @@ double NoiseAt(const Point& point, double h)
   return bits / 2147483648.0 - 1.0;
 }
 
-// Unbounded if the noise has filled the box: StartOn sets a maximum of active voxels.
+// Returns 1e30 if no surface remains, or if the noise exceeds the maximum of active voxels that
+// StartOn sets.
 double SpreadFromNoise(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
@@ -197,9 +198,8 @@ double SpreadFromNoise(const Ball& ball, double factor)
   return band.IsEmpty() ? 1e30 : GetRadii(Polygonise(band), ball.Centre).GetSpread() / h;
 }
 
-// The largest stable factor of explicit diffusion of a surface in space is 1/4. The potential is
-// flat along its normal, so only two of the three second differences act. Noise with a standard
-// deviation of 0.03 h vanishes in 44 substeps at that factor, and grows at 1.2 times it.
+// The potential is linear along its normal, so only two of the three second differences act. The
+// largest stable factor is therefore 1/4.
 void CheckStability(const Ball& ball)
 {
   EXPECT_LT(SpreadFromNoise(ball, 0.25), 0.06) << "spread [h] from noise at dt = .25 h^2 / Tension";

@@ -18,7 +18,8 @@ std::string Number(double value)
   return std::to_string(value).substr(0, 5);
 }
 
-// V = 1 or -1 everywhere moves a sphere by t. The ghosts' error remains, a tenth of a voxel.
+// V = 1 or -1 everywhere moves a sphere by t. The gradient is upwind and of second order, the time
+// step of first. A distance stays a distance. The ghosts' error remains, a tenth of a voxel.
 void CheckUniformSpeed(int n, const Point& centre, double from, double to)
 {
   const double h = VoxelSizeOf(n);
@@ -82,7 +83,7 @@ TEST(TestTracking, ApproachToABallIsExponential)
   CheckApproach(64, { CentreA, 0.4 }, 0.6, 0.2);
 }
 
-// The distance is at most 1.5 times that above: errors of 0.09 h at n = 32, 0.18 h at n = 64.
+// The distance is at most half as long again: 0.09 h at n = 32, 0.18 h at n = 64.
 TEST(TestTracking, ApproachToABallIsExponentialAtRandom)
 {
   RandomShapes random(5);
@@ -119,7 +120,7 @@ TEST(TestTracking, LongJourneyLeavesABallSmooth)
     const double approach = 0.6 * std::exp(-1.0);
     CheckJourney(n, 0.2, MakeBall(CentreA, 0.8), 1.0, 0.8 - approach);
     CheckJourney(n, 0.8, MakeBall(CentreA, 0.2), 1.0, 0.2 + approach);
-    // A distance that is limited to 0.1 moves the surface by at most 0.1 per unit of time.
+    // A target that is defined only near its surface: at most 0.1 per unit of time.
     CheckJourney(n, 0.2, Normalise(MakeBall(CentreA, 0.75), 0.1), 4.0, 0.6);
     CheckJourney(n, 0.7, Normalise(MakeBall(CentreA, 0.15), 0.1), 4.0, 0.3);
   }
@@ -148,8 +149,8 @@ Tips FindTips(const Mesh& mesh, const Point& centre)
 }
 
 // The skin follows a ball of speed U at the distance U/a (1 - e^(-a t)), at the front and at the
-// back. Tolerance 0.12 h: 0.04 h because a sample point is up to 0.7 h off the axis, the rest for
-// the error of frames of 0.01.
+// back. Tolerance 0.12 h: 0.04 h because a sample point is up to 0.7 h off the axis, the rest first
+// order in the frames of 0.01.
 void CheckLag(const Ball& start, double attraction)
 {
   const double h = VoxelSizeOf(32);
@@ -181,8 +182,9 @@ TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistance)
   }
 }
 
-// The front lags by 0.346 with attraction 2. At a radius of 0.36, its tip would be near the centre
-// of the target, where the distance has a kink that is too sharp for the lattice.
+// The radius is at least 0.4. With attraction 2 the lag is 0.346. The tip of a ball of 0.36 would
+// be where the target's distance has its kink, at the centre. It would be too sharp for the
+// lattice: 0.15 h at n = 32.
 TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistanceAtRandom)
 {
   RandomShapes random(12);
@@ -243,7 +245,8 @@ void CheckSlope(const ShapeTarget::Trajectory& trajectory, const std::string& na
   }
 }
 
-// Sample points are ill determined if the slope of the potential is far from 1.
+// The potential is useful only while its slope is near 1. Below 0.5 a sample point is ill
+// determined. Above 1.5 the time step no longer prevents a sample point from crossing two voxels.
 TEST(TestTracking, SlopeStaysNearOneWhileMoving)
 {
   const Point centre = { 0.01, 0.02, -0.013 };

@@ -132,8 +132,7 @@ TEST(TestParticleBlocks, AllParticlesThatTouchABoxAreFound)
   }
 }
 
-// If a large particle brought the small ones, each leaf would visit all particles within the
-// support of the largest.
+// Otherwise each leaf would visit all particles within the support of the largest.
 TEST(TestParticleBlocks, OneLargeParticleDoesNotBringTheSmallOnes)
 {
   const MixedParticles mixed(20000, 20.0);

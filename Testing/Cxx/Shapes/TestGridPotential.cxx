@@ -51,7 +51,7 @@ TEST(TestGridPotential, LinearFieldsAreExactForAllTypes)
   }
 }
 
-// Includes the nodes of the faces, which rounding might put outside.
+// Rounding might put the nodes of the faces outside.
 TEST(TestGridPotential, NodesHaveTheirSamples)
 {
   for (const bool isTurned : { false, true })

@@ -1,5 +1,5 @@
-// vtkSkeletonPotential at many points at once, evaluated together if they share their cells,
-// compared with the same points one by one. == means bitwise identical.
+// vtkSkeletonPotential at many points at once, evaluated together if they share their cells. The
+// results are bitwise identical to those of the same points one by one.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
