@@ -48,9 +48,7 @@ std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOS
 
 constexpr int NumberOfPoints = 1000;
 
-// Writes points along a line, in one leaf, which compress well, with the attribute "number". The
-// first byte of the positions is 1. At the position of the flag for compression this byte must not
-// be read as the flag.
+// The first byte of the positions is 1. This byte must not be read as the flag for compression.
 std::string WritePoints(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   using namespace openvdb::points;

@@ -1,6 +1,5 @@
 // Thousands of damaged EXR files: each is read, or refused with one error message, an ErrorCode and
-// an empty output. Nothing crashes. Neither memory nor time depends on the claims of a damaged
-// header.
+// an empty output. Memory and time stay limited, whatever a damaged header claims.
 
 #include "IO/EXRFiles.h"
 #include "Support/MessageCapture.h"
@@ -113,7 +112,7 @@ void Truncate(Bytes& bytes, std::mt19937& random)
   bytes.resize(Below(random, bytes.size()));
 }
 
-// Replaces four bytes of the header, or of the file, by a number that challenges checks of sizes.
+// Replaces four bytes by a number that challenges checks of sizes.
 void EditNumber(Bytes& bytes, std::mt19937& random)
 {
   constexpr std::uint32_t numbers[] = { 0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x10000, 0x100000,

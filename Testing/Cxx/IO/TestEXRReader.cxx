@@ -33,7 +33,7 @@ double At(vtkImageData* image, const char* array, int component, int x, int y)
     image->ComputePointId(place.data()), component);
 }
 
-// Compares all pixels of all channels with ValueAt. The display window is FileWidth x FileHeight.
+// Compares all channels with ValueAt plus `offset`.
 void CheckPixels(vtkImageData* image, double offset, const std::string& what)
 {
   int extent[6];

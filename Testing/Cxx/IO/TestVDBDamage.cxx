@@ -27,8 +27,7 @@ using namespace activesurface;
 namespace TestVDBDamage
 {
 
-// Suppressions for the leak sanitizer. OpenVDB loses some bytes for each page of attributes when it
-// fails to read points.
+// OpenVDB leaks some bytes for each page of attributes if it fails to read points.
 extern "C" const char* __lsan_default_suppressions()
 {
   return "leak:PagedInputStream::createHandle\nleak:compression::Page::";
@@ -81,8 +80,7 @@ openvdb::GridBase::Ptr MakePointGrid()
   return grid;
 }
 
-// Flips bits, truncates, duplicates and overwrites. The head of the file is hit more often than by
-// chance.
+// Mutates the head of the file more often than the rest.
 std::string Mutate(const std::string& whole, std::mt19937& random)
 {
   std::string bytes = whole;
@@ -157,7 +155,7 @@ void CheckMutations(const std::string& whole, const char* kind)
   EXPECT_GT(outcome.Read, 0) << std::string(kind) << ": read, as only values differ";
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
-  // The worst case is some hundreds of MiB, for files of 100 kB; the sanitizer keeps freed memory.
+  // The worst case is some hundreds of MiB. The sanitizer keeps freed memory.
   EXPECT_LT(usage.ru_maxrss / 1024, 2000) << "largest memory [MiB]";
 }
 

@@ -142,7 +142,7 @@ TEST(TestVDBWriter, DensityVelocityAndArraysAreThere)
   EXPECT_TRUE(density->getGridClass() == openvdb::GRID_FOG_VOLUME) << "a fog";
   EXPECT_EQ(velocity->activeVoxelCount(), surface->activeVoxelCount())
     << "the velocity is near the surface";
-  // The ball shrinks. The velocity is along -x on the x axis and equals the skin's speed.
+  // The ball shrinks, so the velocity on the x axis is along -x.
   const openvdb::Vec3s v = velocity->tree().getValue(openvdb::Coord(9, 0, 0));
   EXPECT_LT(v[0], -0.05) << "velocity on the x axis";
   EXPECT_NEAR(v[1], 0.0, 0.05 * std::fabs(v[0])) << "across";

@@ -319,8 +319,7 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
 // The corners of a box within a ring graze the ring or miss it by up to three voxels. The overlap
-// is too thin to grow from, so the box needs a core of its own. From the box to the ring, a core
-// fits into the ring.
+// is too thin to grow from, so the box needs a core of its own.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

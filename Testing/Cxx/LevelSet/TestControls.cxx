@@ -121,8 +121,7 @@ bool operator==(const Topology& a, const Topology& b)
     a.EulerCharacteristic == b.EulerCharacteristic;
 }
 
-// Checks the measure after every substep. The projection ends at a relative error of 1e-9, or after
-// eight displacements.
+// Checks the measure after every substep.
 void CheckHeld(const Journey& journey, int n, double (NarrowBand::*measure)() const)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -169,9 +168,8 @@ TEST(TestControls, ExactVolumeIsHeld)
   }
 }
 
-// Two balls on a neck with a radius of two or three voxels. Tension tears the neck, and the sum of
-// both drops keeps the volume. The requirement is 2e-4. An exact control reaches 1e-5 through any
-// split.
+// The neck has a radius of two or three voxels. Tension tears the neck, and both drops together
+// keep the volume.
 TEST(TestControls, PeanutPinchesIntoTwoDropsOfItsVolume)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -189,9 +187,8 @@ TEST(TestControls, ExactAreaIsHeld)
   CheckHeld(journey, 40, &NarrowBand::GetArea);
 }
 
-// Tension turns the ellipsoid into the ball of the same area, which has the largest V / A^(3/2) of
-// all bodies. The reference is a ball started at its mean radius, with the same error of polygons.
-// The remaining spread, 0.04 h of 10 h, enters squared: 1e-3 is ample.
+// The ball has the largest V / A^(3/2) of all bodies. The reference ball is polygonised too, with
+// the same error of polygons.
 TEST(TestControls, HeldAreaGrowsToTheBallOfThatArea)
 {
   NarrowBand band(VoxelSizeOf(40));

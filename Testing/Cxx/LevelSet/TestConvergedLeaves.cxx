@@ -237,7 +237,7 @@ std::vector<Course> MakeCourses()
   return courses;
 }
 
-// Remembered speeds give results bitwise identical to recomputed ones, with any number of threads.
+// Remembered speeds give results bitwise identical to recomputed ones.
 TEST(TestConvergedLeaves, RememberedSpeedsLeaveNoTrace)
 {
   for (const auto& [name, path, tension] : MakeCourses())

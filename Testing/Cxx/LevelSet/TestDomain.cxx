@@ -66,8 +66,7 @@ TEST(TestDomain, CostsAreBalancedAndTheSameOnAllRanks)
     EXPECT_EQ(owners[static_cast<std::size_t>(rank)], owners[0]);
   }
   const double mean = std::accumulate(costs.begin(), costs.end(), 0.0) / size;
-  // A plane is off by half a layer of leaves. Two or three planes bound a part, across sides of 16
-  // leaves or more.
+  // Each plane between parts is off by up to half a layer of leaves.
   EXPECT_LT(*std::max_element(costs.begin(), costs.end()), 1.15 * mean);
   EXPECT_GT(*std::min_element(costs.begin(), costs.end()), 0.85 * mean);
 }

@@ -77,8 +77,7 @@ TEST(TestEvaluation, EvaluationCountsItsPoints)
   }
 }
 
-// The paper's scheme arrives, but its normals are bumpy (the paper's Fig. 3 needs a filter). The
-// potential is as steep as the clamp allows.
+// The paper's scheme arrives, but its normals are bumpy: the paper's Fig. 3 needs a filter.
 TEST(TestEvaluation, PaperArrivesWithBumps)
 {
   Motion motion;
@@ -114,9 +113,8 @@ TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
   EXPECT_EQ(FindDefects(Polygonise(band)).Edges, 0u) << "defects of the skin";
 }
 
-// Clamping spoils tension. The error of the paper's scheme is 3, 0.4 and 5.6 % at n = 32, 64 and
-// 128; that of the default scheme is 0.2, 0.09 and 0.04 %. (At n = 128 the paper's scheme needs
-// 25,000 substeps.)
+// Clamping spoils tension. The error of the paper's scheme is 3 and 0.4 % at n = 32 and 64, that of
+// the default scheme 0.2 and 0.09 %.
 TEST(TestEvaluation, PaperTensionIsWorse)
 {
   const auto errorOf = [](bool paper, int n)
@@ -135,8 +133,7 @@ TEST(TestEvaluation, PaperTensionIsWorse)
   EXPECT_LT(2.0 * errorOf(false, 64), errorOf(true, 64)) << "error of the radius, n = 64";
 }
 
-// Switches from one scheme to the other and back. Each scheme resumes from the potential of the
-// other scheme.
+// Each scheme resumes from the potential of the other scheme.
 TEST(TestEvaluation, SchemesCanTakeTurns)
 {
   const double h = VoxelSizeOf(40);

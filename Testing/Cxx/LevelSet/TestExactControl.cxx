@@ -122,7 +122,7 @@ void CheckScene(const Scene& scene, Control area, double tolerance)
   }
 }
 
-// The control ends at a relative error of 1e-9, or after eight displacements. Tolerance 1e-6.
+// The control aims at a relative error of 1e-9. Potentials are floats, hence the tolerance of 1e-6.
 TEST(TestExactControl, ACubeKeepsItsVolumeOnItsWayToABall)
 {
   const Shape ball = MakeBall({ 0.6, 0.2, 0.1 }, 0.3);
@@ -141,7 +141,7 @@ TEST(TestExactControl, AThinPlateKeepsItsVolume)
   CheckScene({ "plate", MakePlate(), ball, 0.05, 0.03, 1 }, Control::None, 1e-6);
 }
 
-// The blocks merge at once along a rim. Tolerance 1e-5, as through any change of topology.
+// The tolerance is 1e-5, as for any change of topology.
 TEST(TestExactControl, TwoBlocksKeepTheirVolumeWhileTheyMerge)
 {
   const Shape ball = MakeBall(CentreB, 0.5);

@@ -68,8 +68,7 @@ TEST(TestGuards, SamplesThatAreNotFiniteAreDropped)
     EXPECT_TRUE(report.DroppedSamples > 0) << "dropped samples are counted, " << name;
     EXPECT_TRUE(report.DroppedSamples < report.TargetEvaluations) << "others are not, " << name;
     CheckClosed(band, name);
-    // The remaining distance is 0.1 e^-8. Tolerance 0.04 h for the crossings of chords (h / 8 r =
-    // 0.016 h).
+    // Linear crossings are off by up to h^2 / 8 r = 0.016 h.
     const Range radii = GetRadiiOfTheSoundHalf(Polygonise(band));
     EXPECT_NEAR((radii.Minimum - 0.5) / h, 0.0, 0.04) << "least radius of the sound half, " << name;
     EXPECT_NEAR((radii.Maximum - 0.5) / h, 0.0, 0.04)

@@ -51,8 +51,7 @@ std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
   return count;
 }
 
-// Crossings of a ball's distance are exact except for the curvature of its level sets along an
-// edge. The chord is at most a voxel: h / 8 r = 0.03 voxel.
+// Linear crossings of a ball's distance are off by up to h / 8 r = 0.03 voxel.
 TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 {
   // The balls are 19 voxels apart: five layers and the remainders of two leaves do not meet.
@@ -294,7 +293,7 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   EXPECT_TRUE(AreIdentical(*band, *FollowCrowd(crowd, true, 2))) << "order";
 }
 
-// The radius is 16 voxels. Leaves within 11 voxels of the centre have no layer, and become tiles.
+// The radius is 16 voxels. Leaves at the centre have no layer, and become tiles.
 TEST(TestNewParts, LargePartIsInsideThroughout)
 {
   const Ball large = { { 0.4, 0.0, 0.0 }, 16.0 * H / 2.0 };

@@ -317,10 +317,8 @@ std::unique_ptr<NarrowBand> Shrink(const Ball& ball)
   return band;
 }
 
-// The image of a ball under a symmetry of the lattice is a ball, and its potential must be the
-// image of the potential. Sums over three axes are rounded in another order: 6e-8 * |u| <= 2.4e-7
-// (|u| < 4) per substep and node. Tension only averages, so errors add up at worst: 100 substeps
-// give 2.4e-5.
+// Sums over three axes are rounded in another order: by 6e-8 |u| <= 2.4e-7 per substep. Tension
+// only averages, so 100 substeps add up to at most 2.4e-5.
 void CheckSymmetries(const Ball& ball)
 {
   const auto band = Shrink(ball);

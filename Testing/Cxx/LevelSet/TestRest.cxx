@@ -39,9 +39,8 @@ struct Balance
 };
 
 // The balance a (R - r) = 2 b / r of the attraction a and the tension b has the solution r = (R +
-// sqrt(R^2 - 8 b / a)) / 2. The error is second order in space: the bias of the curvature is -0.016
-// h at n = 32, -0.008 h at n = 64. The tolerances, 0.04 h and a spread of 0.08 h, are more than
-// twice that.
+// sqrt(R^2 - 8 b / a)) / 2. The bias of the curvature shifts the radius by -0.016 h at n = 32. The
+// tolerances are more than twice that.
 void CheckBalance(const Balance& balance)
 {
   const double h = VoxelSizeOf(balance.Nodes);
@@ -122,11 +121,9 @@ struct Journey
   Shape End;
 };
 
-// Without tension the surface ends on the target. A sample point is the crossing of a chord. If the
-// values at both nodes are exact, the sample point is off a curved surface by up to h / 8 r = 0.01
-// to 0.06 h, on average 0.004 h. Normals are linear interpolations between central differences. The
-// error of normals is 2 degrees on average, and 9 degrees near a tube of 4 voxels or an edge
-// between two bodies.
+// Without tension the surface ends on the target. Linear crossings are off by up to h^2 / 8 r.
+// Normals are linear interpolations between central differences, and off by up to 9 degrees near a
+// tube of 4 voxels or an edge between two bodies.
 void CheckArrival(const Journey& journey)
 {
   const double h = VoxelSizeOf(40);
@@ -161,9 +158,8 @@ TEST(TestRest, SurfaceArrivesAtItsTarget)
   }
 }
 
-// The metaballs have the size above or are larger. The worst of their normals is off by 7 degrees,
-// and by 8.8 at the worst of 60 points. Metaballs 10 % smaller, for which a voxel is larger, reach
-// 9.5.
+// The metaballs are not smaller than above, because the error of their normals would exceed the
+// tolerance.
 TEST(TestRest, SurfaceArrivesAtItsTargetAtRandom)
 {
   RandomShapes random(10);
@@ -194,9 +190,7 @@ struct ThinThing
   Topology Expected;
 };
 
-// Thin parts stay in place. The mean distance is 0.01 h, as for thick parts, apart from the larger
-// curvature. Below 2 voxels the samples of the start itself may have holes, so the topology is not
-// compared.
+// Below 2 voxels the samples of the start may have holes, so the topology is not compared.
 void CheckThinThing(const ThinThing& thing, bool compareTopology)
 {
   const double h = VoxelSizeOf(32);
@@ -278,8 +272,7 @@ void CheckThinSheets(RandomShapes& random, double size)
   CheckThinThing({ "slab" + name, slab, { 1, 0, 2 } }, compare);
 }
 
-// Draws widths between those above. A width 10 % below the smallest of them would need a test of
-// its own.
+// Draws widths between those of ThinThingsStay.
 TEST(TestRest, ThinThingsStayAtRandom)
 {
   RandomShapes random(18);

@@ -70,8 +70,8 @@ private:
   double High;
 };
 
-// Edges end in the next leaf, whose nodes have edges of their own. A change between the last node
-// of one leaf and the first node of the next leaf invalidates the speeds of both leaves.
+// A change between the last node of one leaf and the first node of the next leaf invalidates the
+// speeds of both leaves.
 TEST(TestRestRules, ForgetsWhereEdgesReach)
 {
   NarrowBand band(VoxelSize);
@@ -100,8 +100,7 @@ TEST(TestRestRules, ForgetsWhereEdgesReach)
   }
 }
 
-// Samples the leaves below 0 and then the remaining ones, or all at once. Both give the same
-// numbers, each found once.
+// Samples the leaves below 0 and then the remaining ones, or all at once.
 TEST(TestRestRules, MoreSamplesAreAsThoseOfAll)
 {
   NarrowBand band(VoxelSize);
@@ -153,11 +152,9 @@ std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
 }
 
 // Twice the potential is the same surface with the same speed: 5 * 0.01 towards the target, less
-// 0.01 * 2 / 0.6 by tension. All leaves that contain the first node of a crossed edge have this
-// speed. The other leaves have no speed, except those that contain a last node.
-//
-// There are at least 12 leaves of the first kind. The area is 4 pi 0.6^2 = 4490 h^2, and the part
-// of a convex surface within a leaf is no larger than the leaf's own surface, 6 * 64 h^2.
+// 0.01 * 2 / 0.6 by tension. At least 12 leaves have a part of the surface: its area is 4490 h^2,
+// and the part of a convex surface within a leaf is no larger than the leaf's own surface, 6 * 64
+// h^2.
 TEST(TestRestRules, SpeedUnderTensionIsThatOfTheSurface)
 {
   NarrowBand band(VoxelSize);

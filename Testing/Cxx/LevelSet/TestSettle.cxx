@@ -25,8 +25,7 @@ Motion WithTension(double tension)
   return motion;
 }
 
-// r = (R + sqrt(R^2 - 8 b / a)) / 2, as in TestRest. At a speed of 1e-3 h the remaining distance is
-// 1e-3 h over the rate of approach, a (1 - 2 b / a r^2) > a / 2.
+// The radius is r = (R + sqrt(R^2 - 8 b / a)) / 2, as in TestRest.
 TEST(TestSettle, SettledBallHasTheExactRadius)
 {
   for (const double tension : { 0.0, 0.005, 0.02 })
@@ -163,8 +162,7 @@ TEST(TestSettle, SleepDoesNotFreezeSlowMotion)
   EXPECT_LT(farthest, 0.004 + 0.001 + 0.001) << "largest mean distance of all steps [h]";
 }
 
-// The target extends through the wall. The surface ends on the target within and lies flat on the
-// wall. The sharp rim is accurate to a tenth of a voxel, the resolution of a lattice.
+// The target extends through the wall. The rim at the wall is accurate to a tenth of a voxel.
 TEST(TestSettle, SurfaceRestsOnTheWall)
 {
   for (const int n : { 32, 64 })

@@ -311,8 +311,7 @@ TEST(TestSkin, HundredRandomSkeletonsHaveAClosedSkin)
   }
 }
 
-// Includes surfaces between two shapes, where the potential is no distance and necks are one voxel
-// wide.
+// Includes surfaces between two shapes, where the potential is no distance.
 TEST(TestSkin, SkinIsClosedWhileItMoves)
 {
   NarrowBand band(VoxelSizeOf(40));

@@ -17,8 +17,7 @@ using namespace activesurface;
 namespace TestSkinMotion
 {
 
-// The error is second order: at most (h / r)^2 of 2 / r. The spread includes half a voxel of the
-// radius at which a node's curvature is evaluated and interpolated.
+// The mean error is second order: at most (h / r)^2 of 2 / r.
 TEST(TestSkinMotion, CurvatureOfABallIsTwoOverItsRadius)
 {
   for (const int n : { 32, 64 })

@@ -124,10 +124,8 @@ std::vector<Ball> DrawBalls(int count, double least, double most)
   return balls;
 }
 
-// Both starts use |F| / |grad F|, which the distances to crossings do not limit where F is a smooth
-// distance. The dense start rounds F to single precision, scaled to 1 .. 2. Six values of at most 6
-// voxels are each off by 2^-24 of 6 voxels. They change the norm of the gradient, about 1, by at
-// most sqrt(3) 2^-24 6. They change u <= 5 by 5 times that and by its own rounding: 3.7e-6.
+// Both starts use |F| / |grad F| where F is a smooth distance. The dense start rounds F to single
+// precision, which changes u by up to 3.7e-6 voxel.
 constexpr double Rounding = 4e-6;
 
 TEST(TestSparseStart, BallIsThatOfTheDenseStart)
@@ -164,11 +162,9 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   EXPECT_LE(difference.Largest, Rounding);
 }
 
-// F has creases where balls meet. Both starts stay there within half of distances d'. These
-// distances are marched from node to node, from planes through the crossings of the nodes of
-// crossed edges. With d the distance to the nearest crossing along edges, the same in both: d /
-// sqrt(3) <= d' <= d. A node of layer 2 is three edges and a fraction from its crossing, a pocket
-// six. So u is between 0.5 / sqrt(3) and 1.5 times 6 voxels at most.
+// F has creases where balls meet. There each start keeps u within half of a marched distance d',
+// with d / sqrt(3) <= d' <= d for the distance d along edges, at most 6 voxels. So u is between 0.5
+// / sqrt(3) and 1.5 times d.
 constexpr double LargestDifferenceAtCreases = (1.5 - 0.5 / 1.7320508) * 6.0;
 
 TEST(TestSparseStart, RandomBallsAreThoseOfTheDenseStart)

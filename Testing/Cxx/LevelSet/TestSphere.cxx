@@ -22,10 +22,8 @@ std::string Name(int n)
   return "n = " + std::to_string(n);
 }
 
-// The skin is inscribed. A right triangle with legs of one voxel h and corners on the sphere is
-// inside the sphere by h^2 / 6 r on average. The volume is too small by h^2 / 2 r^2, 0.58 % at n =
-// 32, the area by half of that. Each doubling of n leaves a quarter. Triangles along a voxel's
-// diagonals are wider: 30 % more.
+// The skin is inscribed in the sphere. Its volume is too small by h^2 / 2 r^2, 0.58 % at n = 32,
+// its area by half of that. Triangles along a voxel's diagonals are wider, which adds up to 30 %.
 void CheckAreaAndVolume(int n, const Ball& ball, double areaTolerance, double volumeTolerance)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -46,8 +44,7 @@ TEST(TestSphere, BallHasExactAreaAndVolume)
   CheckAreaAndVolume(128, ball, 0.00025, 0.0005);
 }
 
-// The tolerances apply to radii of 0.6 or more. The deficit is proportional to h^2 / r^2: 10 % less
-// radius gives 23 % more, up to 15 % beyond the tolerance.
+// The deficit is proportional to h^2 / r^2, so the tolerances apply to radii of 0.6 or more.
 Ball DrawBall(RandomShapes& random)
 {
   const Point centre = random.DrawPointNear(CentreA);
@@ -80,9 +77,7 @@ TEST(TestSphere, BallHasExactRadius)
   }
 }
 
-// The number of layers around a surface is constant: nodes ~ n^2. The count on a lattice varies:
-// n/2 columns of nodes have curved ends, which are off by about a node, 1/n of the count. The outer
-// layers vary more.
+// The number of layers around a surface is constant, so the number of nodes grows as n^2.
 void CheckNodes(int n, const Ball& ball)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -102,8 +97,7 @@ TEST(TestSphere, NodesGrowWithTheSurfaceNotTheVolume)
   }
 }
 
-// A layer of ghosts at a distance of 3.5 h has 1 + (3.5 h / r)^2 times the ball's nodes. The
-// constants are those of large balls, at n = 32 from 0.6 on.
+// The constants 7 and 3.8 are those of large balls, at n = 32 from a radius of 0.6 on.
 TEST(TestSphere, NodesGrowWithTheSurfaceNotTheVolumeAtRandom)
 {
   RandomShapes random(13);

@@ -52,10 +52,8 @@ struct ShrinkingBall
   std::vector<Milestone> Milestones;
 };
 
-// The error is first order in time, second in space. The remainder is the bias of the ghosts, a
-// smooth function of h / r. Measured in double: 0.10, 0.22, 0.99 % at n = 32; 0.032, 0.083, 0.35 %
-// at n = 64; 0.011, 0.034 % at n = 128. Float32 changes none of these digits: the rounding of u is
-// 1e-7 per substep, damped at once.
+// The error is second order in space. Measured: 0.10, 0.22, 0.99 % at n = 32; 0.032, 0.083, 0.35 %
+// at n = 64; 0.011, 0.034 % at n = 128.
 void CheckShrinking(const ShrinkingBall& ball)
 {
   const double h = VoxelSizeOf(ball.Nodes);
@@ -125,9 +123,7 @@ TEST(TestTension, ShrinkingBallHasExactRadiusAtRandom)
   CheckShrinking(DrawShrinkingBall(random, 128, 0.25, { 0.0002, 0.0005 }));
 }
 
-// The exact time is r0^2 / 4 b. The last voxel of the ball is no sphere on the lattice. Its time is
-// uncertain by about h^2 / b, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h. The tolerance, 5 %,
-// is a quarter of that uncertainty.
+// The last voxel of the ball is no sphere on the lattice, hence the tolerance of 5 %.
 void CheckVanishing(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);

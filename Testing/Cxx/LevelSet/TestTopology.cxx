@@ -202,8 +202,8 @@ TEST(TestTopology, SmallOverlapIsEnoughToArrive)
   }
 }
 
-// The balls are not smaller than above: the lens of smaller balls is narrower, and tension may make
-// it vanish.
+// The lens is 0.1 thick, and at least as wide as above. The lens of smaller balls is narrower, and
+// tension may make it vanish, at n = 96 too.
 TEST(TestTopology, SmallOverlapIsEnoughToArriveAtRandom)
 {
   RandomShapes random(180);

@@ -18,8 +18,7 @@ std::string Number(double value)
   return std::to_string(value).substr(0, 5);
 }
 
-// V = 1 or -1 everywhere moves a sphere by t. The gradient is upwind and of second order, the time
-// step of first. A distance stays a distance. The ghosts' error remains, a tenth of a voxel.
+// V = 1 or -1 everywhere moves a sphere by t. The ghosts' error remains, a tenth of a voxel.
 void CheckUniformSpeed(int n, const Point& centre, double from, double to)
 {
   const double h = VoxelSizeOf(n);
@@ -182,9 +181,8 @@ TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistance)
   }
 }
 
-// The radius is at least 0.4. With attraction 2 the lag is 0.346. The tip of a ball of 0.36 would
-// be where the target's distance has its kink, at the centre. It would be too sharp for the
-// lattice: 0.15 h at n = 32.
+// The front lags by 0.346 with attraction 2. At a radius of 0.36, its tip would be near the centre
+// of the target, where the distance has a kink that is too sharp for the lattice.
 TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistanceAtRandom)
 {
   RandomShapes random(12);
@@ -245,8 +243,7 @@ void CheckSlope(const ShapeTarget::Trajectory& trajectory, const std::string& na
   }
 }
 
-// The potential is useful only while its slope is near 1. Below 0.5 a sample point is ill
-// determined. Above 1.5 the time step no longer prevents a sample point from crossing two voxels.
+// Sample points are ill determined if the slope of the potential is far from 1.
 TEST(TestTracking, SlopeStaysNearOneWhileMoving)
 {
   const Point centre = { 0.01, 0.02, -0.013 };

@@ -21,8 +21,8 @@ using namespace activesurface;
 namespace TestGridPotential
 {
 
-// About 30 roundings of numbers up to 100, and of lattice coordinates up to 50, times slopes of up
-// to 5 per pixel: 1e-12 is ample. Spacing multiplies the error of the gradient by up to 4.
+// 1e-12 is ample for 30 roundings of numbers up to 100. Spacing multiplies the error of the
+// gradient by up to 4.
 TEST(TestGridPotential, LinearFieldsAreExactForAllTypes)
 {
   const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
@@ -77,7 +77,7 @@ TEST(TestGridPotential, NodesHaveTheirSamples)
   }
 }
 
-// All samples are inside, so the box is a body. Tolerance for rounding: 1e-12.
+// All samples are inside, so the box is a body.
 TEST(TestGridPotential, OutsideIsTheDistanceToTheBox)
 {
   for (const bool isTurned : { false, true })
@@ -145,9 +145,8 @@ TEST(TestGridPotential, NaNPixelsSpoilTheVoxelsThatTouchThem)
   EXPECT_TRUE(std::isnan(ValueAt(potential, { 0.0, Infinity, 0.0 }))) << "a place at infinity";
 }
 
-// F is a cubic along any line through a voxel. Central differences are off by step^2/6 times a
-// third derivative, at most 6 * 8 / (0.5 * 0.25 * 2) = 192 here. Rounding adds 1e-15 / step: 1e-8
-// in all.
+// F is a cubic along any line through a voxel, with a third derivative of at most 192. Central
+// differences are off by step^2 / 6 times that, 3e-9.
 TEST(TestGridPotential, GradientIsThatOfTheValue)
 {
   const double step = 1e-5;

@@ -17,9 +17,8 @@ using namespace activesurface;
 namespace TestMeshDefects
 {
 
-// The shell's walls are spheres 0.2 inside and outside of the mesh. Its distance has a kink at the
-// mesh, which interpolation smooths within two voxels. Elsewhere the error is that of a sphere,
-// 0.01 at h = 0.05.
+// The shell's walls are spheres 0.2 inside and outside of the mesh. Distances are accurate to 0.01,
+// except within two voxels of the mesh.
 TEST(TestMeshDefects, OpenMeshesBecomeShells)
 {
   const auto half = MakeSphere(Radius, 24, 90.0);

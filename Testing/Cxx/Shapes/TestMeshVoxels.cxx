@@ -22,8 +22,8 @@ namespace
 
 constexpr double Band = 5.0;
 
-// Tolerance: a factor of two. A surface or a line crosses up to 1.5 times as many cubes as contain
-// its band. At bends, several cubes contain the same part of the band.
+// The estimate counts cubes. At bends, several cubes contain the same part of the band, hence the
+// tolerance of a factor of two.
 void CheckEstimate(vtkPolyData* polygons, const std::string& what)
 {
   const MeshTriangles mesh = ReadTriangles(polygons);
@@ -77,8 +77,7 @@ TEST(TestMeshVoxels, SmallMeshesAreWithinTheirBox)
   EXPECT_EQ(EstimateVoxelsNear(mesh, 1.0, 5.0, 1e9), 30.0 * 30.0 * 11.0);
 }
 
-// Halving the longest edge of this needle makes 3^n pieces of 2^-n of its length. The same holds
-// for all needles whose corners are unevenly spaced.
+// Halving the longest edge again and again would make 3^n pieces of 2^-n of the needle's length.
 TEST(TestMeshVoxels, NeedlesOfAMillionVoxelsTakeNoTime)
 {
   const MeshTriangles mesh = ReadTriangles(

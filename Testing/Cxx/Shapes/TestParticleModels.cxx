@@ -77,8 +77,7 @@ double FindSurface(vtkSkeletonPotential* potential, const Point& inside, const P
   return low;
 }
 
-// Volume of the inside, from columns of points r/4 apart. Each surface is off by half of that at
-// random, so that the sum over many columns is accurate to a thousandth.
+// Volume of the inside, from columns of points r/4 apart.
 double FindVolume(vtkSkeletonPotential* potential, const Point& low, const Point& high)
 {
   const double step = 0.25 * R;

@@ -154,8 +154,8 @@ void Move(SkeletonBuilder& shape, Random& random, double way, double growth)
   shape.Radii->Modified();
 }
 
-// Short displacements, which keep the cells, and long ones. Radii that oscillate and radii that
-// shrink. Coordinates far from the origin, where displacements are rounded.
+// Short displacements keep the cells, long ones do not. Far from the origin, displacements are
+// rounded.
 TEST(TestSkeletonCells, ElementsThatMoveGiveTheBitsOfFreshOnes)
 {
   for (const double offset : { 0.0, 1e9 })
