@@ -136,7 +136,8 @@ TEST(TestVDBFile, FilesThatAreCutShortAreRefused)
   }
 }
 
-// A leaf has one value of 4 bytes, too short for compression, whose stored length is 3 bytes.
+// A value of 4 bytes is too short for compression, so its stored length is -4. The test changes
+// this length to -3.
 TEST(TestVDBFile, ValuesThatAreTooFewAreRefused)
 {
   std::string bytes = ReadBytes(WriteTwoGrids(openvdb::io::COMPRESS_ZIP));

@@ -16,7 +16,8 @@ class vtkDataArray;
 vtkSmartPointer<vtkDataArray> MakeNumbers(
   const std::string& name, int type, int components, vtkIdType tuples, unsigned seed);
 
-// width x height x 1 with RGBA, Z, N, P, forward (float) and id (unsigned int).
+// Image of one layer with the float arrays RGBA, Z, N, P, forward and the unsigned int array id,
+// all of pseudo-random bits.
 vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
 
 // Returns true if both arrays exist and have the same type, size and bytes.
@@ -41,7 +42,8 @@ struct KindOfFile
 constexpr int FileWidth = 19, FileHeight = 13;
 void WriteKind(const std::string& name, const KindOfFile& kind);
 
-// Two parts, "left" and "right", as above. Values of "right" are greater by 1000.
+// Two parts, "left" and "right", with the channels of WriteKind. Values of "right" are greater by
+// 1000.
 void WriteTwoParts(const std::string& name);
 
 // Y at each pixel, RY and BY at every second pixel in both directions.

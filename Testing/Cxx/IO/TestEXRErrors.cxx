@@ -202,7 +202,7 @@ TEST(TestEXRErrors, FoldersThatCannotBeWrittenAreTold)
   EXPECT_EQ(CountFiles(folder), 2u) << "nothing else is left";
 }
 
-// A limit for the size of files stands for a full disk.
+// A limit on the size of files simulates a full disk.
 TEST(TestEXRErrors, FullDiskLeavesTheOldFile)
 {
   const path folder = EmptyFolder("full");

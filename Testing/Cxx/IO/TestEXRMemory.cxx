@@ -61,8 +61,8 @@ TEST(TestEXRMemory, MoreThanMaximumMemoryIsRefused)
   EXPECT_EQ(reader->GetErrorCode(), 0ul) << "a larger one";
 }
 
-// OpenEXR unpacks 32 lines at a time by PIZ, 49 MiB here, even if the image has only one line, of
-// 1.5 MiB.
+// With PIZ, OpenEXR unpacks 32 lines at a time: 49 MiB here, although the image has only one line,
+// of 1.5 MiB.
 TEST(TestEXRMemory, LinesBeyondMaximumMemoryAreRefused)
 {
   const std::string name = OutputName("wide.exr");

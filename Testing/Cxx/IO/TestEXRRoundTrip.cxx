@@ -110,8 +110,8 @@ TEST(TestEXRRoundTrip, WholeNumbersOfSeveralComponentsComeBackBitForBit)
     << "type, components and bytes";
 }
 
-// A half has 11 bits. Numbers from 2^-14 on have a relative error of at most 2^-11, smaller ones an
-// absolute error of 2^-25, half of the least step.
+// A half has 11 significant bits. Numbers from 2^-14 on have a relative error of at most 2^-11,
+// smaller ones an absolute error of at most 2^-25, half of the least step.
 TEST(TestEXRRoundTrip, HalvesAreWithinHalfAStep)
 {
   vtkNew<vtkImageData> image;
@@ -237,8 +237,7 @@ TEST(TestEXRRoundTrip, UsersNameChannelsThemselves)
   }
 }
 
-// sRGB's curve, IEC 61966-2-1, at 8 bits: 0, 255, and 188, which is linear light 0.5 within half a
-// step.
+// sRGB's curve is IEC 61966-2-1. The value 188 of 255 is linear light 0.5 within half a step.
 TEST(TestEXRRoundTrip, DisplayColorsBecomeLight)
 {
   vtkNew<vtkImageData> image;

@@ -62,9 +62,8 @@ double BruteDistance(const LatticeMesh& mesh, const openvdb::Vec3d& node)
 
 }
 
-// Compares every 7th node with the distance to all triangles. Single precision of numbers up to 3:
-// 2e-7. If the nearest triangle is found from a neighbour's, a nearer one behind an edge may be
-// missed. This does not occur here.
+// Single precision rounds distances of up to 3 voxels by less than 2e-7. The search from a
+// neighbour's nearest triangle may miss a nearer one behind an edge, but not here.
 TEST(TestVDBSurface, DistancesAreThoseToTheTriangles)
 {
   const auto band = MakeBand(0.05);
@@ -104,8 +103,9 @@ TEST(TestVDBSurface, TheBandIsComplete)
   EXPECT_EQ(beyond, 0) << "nodes beyond";
 }
 
-// The skin has its vertices at the linear crossings of edges. Crossings of the distances differ
-// only by the curvature, at the worst angle by h / 4r: 0.03 voxel for tube and ball, r = 8 voxels.
+// The skin has its vertices at the linear crossings of edges. The crossings of the distances differ
+// only by the curvature, by at most h / 4 r: 0.03 voxel for tube and ball, whose radii are 8
+// voxels.
 TEST(TestVDBSurface, TheZeroSetStaysWhereItIs)
 {
   const auto band = MakeBand(0.025);

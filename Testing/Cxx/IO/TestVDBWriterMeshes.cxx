@@ -31,13 +31,13 @@ constexpr double VoxelSize = 0.1;
 constexpr double Band = 3.0 * VoxelSize;
 constexpr double Offset = 0.37 * VoxelSize; // offset of bodies, so that no edge runs along nodes
 
-// Distances are stored in single precision in both: 6e-8 times 20 voxels.
+// The file and vtkGridPotential both store distances in single precision: 6e-8 of 20 voxels.
 constexpr double Rounding = 1e-5 * VoxelSize;
 
 using Polygons = std::vector<std::vector<vtkIdType>>;
 
-// An L-shaped prism, 2 x 2 with the notch above (1, 1), from z = 0 to 2. The outline begins at any
-// corner, and the axes are permuted.
+// Prism of height 2 over an L: a square of 2 x 2 without the corner beyond (1, 1). The outline of
+// each cap begins at another corner for each `first`.
 vtkSmartPointer<vtkPolyData> MakeL(const std::array<int, 3>& axes, int first)
 {
   const double outline[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
@@ -76,8 +76,8 @@ int Write(vtkPolyData* mesh, const std::string& file, std::string* error = nullp
   return done;
 }
 
-// Largest difference between a grid and the function of the mesh where the grid is active. The grid
-// ends at 3 voxels.
+// Largest difference between a grid and vtkGridPotential at the active nodes. Values of the grid
+// end at 3 voxels.
 double FindDifference(const openvdb::FloatGrid& grid, vtkPolyData* mesh)
 {
   vtkNew<vtkGridPotential> potential;

@@ -194,9 +194,8 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
-// Before the arrival the Attraction, which decides how wide a hollow has to be, does not act. A
-// core opens if its speed, (0.4 - CoreRadius) / End = 0.16, exceeds 2 Tension / CoreRadius, here
-// 0.08.
+// Until the arrival, Attraction does not act. A core opens if its speed, (0.4 - CoreRadius) / End =
+// 0.16, exceeds the speed of tension, 2 Tension / CoreRadius, at most 0.08 here.
 TEST(TestArrival, HollowOpensAlsoAgainstTension)
 {
   const Shape goal = MakeShell(.7, .4);

@@ -56,7 +56,7 @@ struct Held
 };
 
 // A ball is in a steady state where the speed 2 b / r of the tension b equals the speed of the
-// penalty. Tolerance 1 %. The bias of the curvature is 0.3 % at this radius of 7 voxels.
+// penalty. The curvature has a bias of 0.3 % at a radius of 7 voxels, hence the tolerance of 1 %.
 TEST(TestControls, PenaltyOfVolumeLeavesTheExactOffset)
 {
   for (const Held& held :
@@ -151,7 +151,7 @@ Motion ExactWay(double attraction, double tension)
   return motion;
 }
 
-// Tolerance 1e-6. While the surface splits, crossings appear and vanish, which costs a digit: 1e-5.
+// In the course that splits, crossings appear and vanish, so its tolerance is 1e-5 instead of 1e-6.
 TEST(TestControls, ExactVolumeIsHeld)
 {
   const Point origin = { 0.0, 0.0, 0.0 };

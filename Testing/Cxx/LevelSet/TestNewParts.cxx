@@ -76,9 +76,8 @@ TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
   EXPECT_GT(CountOtherLeaves(*with, *without), 0u);
 }
 
-// The nearest node is at most 0.87 voxel from the centre, and the radius grows by 0.1 voxel per
-// substep. The radius is at first within 1.1 voxels. The crossings on the edges of one node are
-// within a voxel of this node.
+// The part appears when the ball contains a node, which is at most 0.87 voxel from the centre. The
+// radius grows by 0.1 voxel per substep. The first crossings are within a voxel of this node.
 TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
 {
   constexpr double speed = 0.2;
@@ -314,7 +313,7 @@ TEST(TestNewParts, LargePartIsInsideThroughout)
   }
 }
 
-// All nodes of a box are sampled if it may contain parts away from its centre.
+// AllNodes samples all nodes of a box, because parts may be away from its centre.
 TEST(TestNewParts, OneBoxFindsAllParts)
 {
   const std::vector<Ball> balls = { Left, Right, { { 0.0, 0.7, 0.7 }, 0.1 },

@@ -84,9 +84,8 @@ TEST(TestRest, BallRestsWhereAttractionBalancesTensionAtRandom)
   }
 }
 
-// 8 b / a = 0.48 > R^2 = 0.36: no balance exists. With b = R^2 / 6 and a = 1, t = integral of r dr
-// / (r^2 - R r + 2 b) from 0 to R = 2 pi / sqrt(3) = 3.63. The end resembles that of a ball under
-// tension without a target: tolerance 5 %.
+// 8 b / a = 4/3 R^2 exceeds R^2, so no balance exists. The time to vanish is the integral of r dr /
+// (r^2 - R r + 2 b) from 0 to R, 2 pi / sqrt(3) for a = 1 and all R.
 void CheckCollapse(const Ball& ball)
 {
   const double exact = 2.0 * Pi / std::sqrt(3.0);

@@ -56,8 +56,7 @@ TEST(TestSettle, HeldBallIsAtRest)
   Motion motion = WithTension(1.0);
   motion.Attraction = 0.0;
   motion.VolumeControl = Control::Exact;
-  // The tolerance compares with the speed of tension, 2 / r = 80 h, and with the residual
-  // oscillation, 1e-7 h per substep of h^2 / 4.
+  // The tolerance is small compared with the speed of tension, 2 / r = 80 h.
   const AdvanceReport report = band.AdvanceToSteadyState(motion, { 1e-3, 5000 }, none);
   const double radius = std::cbrt(3.0 * band.GetVolume() / (4.0 * Pi));
   EXPECT_TRUE(report.IsSteady) << "reported as steady";

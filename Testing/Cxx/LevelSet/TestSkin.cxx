@@ -53,7 +53,8 @@ std::size_t CountCrossedEdges(const NarrowBand& band)
   return count;
 }
 
-// Point in lattice coordinates: the node below it, and its height above that node along one axis.
+// Point near a lattice edge: the edge's lower node and axis, and the point's height above this node
+// [voxels].
 struct EdgePoint
 {
   openvdb::Coord Lower;
@@ -176,7 +177,7 @@ std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
   return count;
 }
 
-// On a surface of curvature radius r, the corners of a triangle are off its tangent plane by up to
+// The corners of a triangle are off the tangent plane of a surface of curvature radius r by up to
 // d^2 / 2 r, d < 1.8 h. The tilt of the triangle is this offset over its least altitude.
 void CheckOrientation(const Mesh& mesh, double curvatureRadius, double h, const std::string& name)
 {

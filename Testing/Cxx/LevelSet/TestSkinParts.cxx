@@ -53,8 +53,8 @@ void CheckParts(const std::string& name, const Shape& shape, const std::vector<E
     }
   }
   EXPECT_EQ(found, expected.size()) << "parts as expected of " << name;
-  // Parts are computed from triangles, whose vertices are at least 2^-13 voxel off the nodes. For
-  // this, one in 4096 vertices is moved, by less than 2^-13 voxel.
+  // Parts are computed from triangles, whose vertices are at least 2^-13 voxel off the nodes. About
+  // one in 4096 vertices is moved for this, by less than 2^-13 voxel.
   const double moved = h / smallest / (1 << 13) / (1 << 12);
   EXPECT_NEAR(area / band.GetArea(), 1.0, 100.0 * moved) << "sum of the areas of " << name;
   EXPECT_NEAR(volume / band.GetVolume(), 1.0, 100.0 * moved) << "sum of the volumes of " << name;

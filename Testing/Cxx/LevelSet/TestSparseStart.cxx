@@ -150,7 +150,8 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = 2.0 * pi * (i % pieces) / pieces;
     const double r = ring + tube * std::cos(b);
-    // Points of the surface are at most 2 pi 0.86 / 60 apart: boxes of half that size meet.
+    // Points of the surface are at most 2 pi 0.86 / 60 apart, so boxes meet whose half side is half
+    // of that.
     regions.push_back(RegionAround({ { CentreA[0] + r * std::cos(a), CentreA[1] + r * std::sin(a),
                                        CentreA[2] + tube * std::sin(b) },
       pi * (ring + tube) / pieces }));
@@ -270,7 +271,7 @@ std::vector<TargetRegion> RegionsAlong(const Ball& ball)
   for (int i = 0; i < pieces * pieces; ++i)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = pi * (i % pieces + 0.5) / pieces;
-    // Points are at most 2 pi r / 80 apart: boxes of half that size meet.
+    // Points are at most 2 pi r / 80 apart, so boxes meet whose half side is half of that.
     regions.push_back(RegionAround({ { ball.Centre[0] + ball.Radius * std::cos(a) * std::sin(b),
                                        ball.Centre[1] + ball.Radius * std::sin(a) * std::sin(b),
                                        ball.Centre[2] + ball.Radius * std::cos(b) },

@@ -121,8 +121,8 @@ double GetLargestError(const NarrowBand& band, const Shape& distance)
   return largest;
 }
 
-// The ball is large enough for several slabs in a sweep. Central differences of a distance are 1 up
-// to (h / r)^2, 2e-4.
+// The ball is large enough for several slabs in a sweep. Central differences of a distance have the
+// norm 1 up to (h / r)^2, 2e-4.
 TEST(TestSphere, DistancesHaveNoSeams)
 {
   const double h = VoxelSizeOf(256);
@@ -149,7 +149,8 @@ TEST(TestSphere, BodiesFarApartAreBothThere)
     const std::string name = factor == 1.0 ? "" : ", of unlike size";
     const Mesh mesh = Polygonise(band);
     EXPECT_EQ(GetTopology(mesh).Components, 2) << "bodies" << name;
-    // Both balls are too small by h^2 / 2 r^2, 2e-4. Half a voxel of one of them is 1.5 %.
+    // Both balls are too small by h^2 / 2 r^2, 2e-4. An error of half a voxel at one ball is 1.5 %
+    // of the volume of both.
     const double exact = 2.0 * 4.0 / 3.0 * Pi * 0.4 * 0.4 * 0.4;
     EXPECT_NEAR(GetVolume(mesh) / exact, 1.0, factor == 1.0 ? 4e-4 : 0.015) << "volume" << name;
     if (factor == 1.0)

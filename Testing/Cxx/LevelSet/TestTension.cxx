@@ -96,8 +96,8 @@ TEST(TestTension, ShrinkingBallHasExactRadiusElsewhere)
   CheckShrinking({ 64, 0.25, CentreB, 0.65, { { 0.5, 0.0005 }, { 0.35, 0.0012 } } });
 }
 
-// The milestones are the same fractions of the start radius as from 0.6: 3/4, 1/2, 1/4. Errors are
-// proportional to h^2 / r^2, and 1.23 times as large for the smallest start.
+// The milestones are 3/4, 1/2 and 1/4 of the start radius. Errors are proportional to h^2 / r^2:
+// 1.23 times as large for the smallest start as for 0.6.
 ShrinkingBall DrawShrinkingBall(
   RandomShapes& random, int n, double factor, const std::vector<double>& tolerances)
 {

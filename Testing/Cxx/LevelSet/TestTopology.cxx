@@ -202,8 +202,8 @@ TEST(TestTopology, SmallOverlapIsEnoughToArrive)
   }
 }
 
-// The lens is 0.1 thick, and at least as wide as above. The lens of smaller balls is narrower, and
-// tension may make it vanish, at n = 96 too.
+// The balls are not smaller than above: the lens of smaller balls is narrower, and tension may make
+// it vanish.
 TEST(TestTopology, SmallOverlapIsEnoughToArriveAtRandom)
 {
   RandomShapes random(180);

@@ -82,7 +82,7 @@ TEST(TestTracking, ApproachToABallIsExponential)
   CheckApproach(64, { CentreA, 0.4 }, 0.6, 0.2);
 }
 
-// The distance is at most half as long again: 0.09 h at n = 32, 0.18 h at n = 64.
+// The distance is at most 1.5 times that above: errors of 0.09 h at n = 32, 0.18 h at n = 64.
 TEST(TestTracking, ApproachToABallIsExponentialAtRandom)
 {
   RandomShapes random(5);
@@ -119,7 +119,7 @@ TEST(TestTracking, LongJourneyLeavesABallSmooth)
     const double approach = 0.6 * std::exp(-1.0);
     CheckJourney(n, 0.2, MakeBall(CentreA, 0.8), 1.0, 0.8 - approach);
     CheckJourney(n, 0.8, MakeBall(CentreA, 0.2), 1.0, 0.2 + approach);
-    // A target that is defined only near its surface: at most 0.1 per unit of time.
+    // A distance that is limited to 0.1 moves the surface by at most 0.1 per unit of time.
     CheckJourney(n, 0.2, Normalise(MakeBall(CentreA, 0.75), 0.1), 4.0, 0.6);
     CheckJourney(n, 0.7, Normalise(MakeBall(CentreA, 0.15), 0.1), 4.0, 0.3);
   }
@@ -148,8 +148,8 @@ Tips FindTips(const Mesh& mesh, const Point& centre)
 }
 
 // The skin follows a ball of speed U at the distance U/a (1 - e^(-a t)), at the front and at the
-// back. Tolerance 0.12 h: 0.04 h because a sample point is up to 0.7 h off the axis, the rest first
-// order in the frames of 0.01.
+// back. Tolerance 0.12 h: 0.04 h because a sample point is up to 0.7 h off the axis, the rest for
+// the error of frames of 0.01.
 void CheckLag(const Ball& start, double attraction)
 {
   const double h = VoxelSizeOf(32);

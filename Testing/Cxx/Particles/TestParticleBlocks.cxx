@@ -132,7 +132,8 @@ TEST(TestParticleBlocks, AllParticlesThatTouchABoxAreFound)
   }
 }
 
-// Otherwise each leaf would visit all particles within the support of the largest.
+// If a large particle brought the small ones, each leaf would visit all particles within the
+// support of the largest.
 TEST(TestParticleBlocks, OneLargeParticleDoesNotBringTheSmallOnes)
 {
   const MixedParticles mixed(20000, 20.0);

@@ -94,7 +94,7 @@ TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
   EXPECT_NEAR(FindSpacing(stray), Spacing, 1e-8);
 }
 
-// The result is independent of the unit and of other points.
+// Neither the unit of length nor points far away change the result.
 TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
 {
   for (const double unit : { 1e-100, 1e-25, 1e25, 1e100 })

@@ -62,7 +62,7 @@ TEST(TestGridPotential, NodesHaveTheirSamples)
     vtkNew<vtkGridPotential> potential;
     potential->SetInput(MakeImage(place, VTK_INT, Linear));
     const auto& e = place.Extent;
-    // Rounding of coordinates of 1e4 is 2e-12, 2e-11 pixels, times a slope of 2.
+    // The rounding of coordinates of 1e4 is 2e-12, or 2e-11 pixels. The slope is 2 per pixel.
     for (int i = e[0]; i <= e[1]; ++i)
     {
       for (int j = e[2]; j <= e[3]; ++j)

@@ -169,8 +169,8 @@ TEST(TestParticleModels, SheetsThatAreApartHaveAGapBetween)
   EXPECT_GT(ValueAt(potential, { 1.2, 1.2, 2.5 * Spacing + 2.75 * R }), 0.0);
 }
 
-// Central differences of a step e are accurate to e^2 of the third derivative, below 10 / R^3, and
-// to the rounding of F, 2e-7, over e; gradients are of size 1 / R.
+// Central differences of a step e have two errors: e^2 times the third derivative, which is below
+// 10 / R^3, and the rounding of F, 2e-7, over e.
 TEST(TestParticleModels, GradientIsThatOfTheFunction)
 {
   auto potential = MakePotential(MakeCloud(1, 300, 1.5));
@@ -223,7 +223,7 @@ TEST(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
   for (const std::vector<Point>& shape : shapes)
   {
     auto potential = MakePotential(shape);
-    // Only the middle is tested: the surface is round at the last particles of ends and corners.
+    // Tests only the particle in the middle, because the surface is rounded at ends and corners.
     EXPECT_LT(ValueAt(potential, shape[shape.size() / 2]), 0.0) << shape.size() << " particles";
     for (const Point& x : shape)
     {

@@ -20,7 +20,8 @@ namespace TestSkeletonBatch
 constexpr InstructionSet AllSets[] = { InstructionSet::Baseline, InstructionSet::Avx2,
   InstructionSet::Avx512 };
 
-// Clusters of points near the elements: one to forty within `size`, or down to a hundredth of it.
+// Clusters of up to forty points near the elements, with half sides from a hundredth of `size` to
+// `size`.
 std::vector<Point> Crowds(SkeletonBuilder& shape, Random& random, double size)
 {
   std::vector<Point> places;

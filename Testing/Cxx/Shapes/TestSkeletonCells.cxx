@@ -29,7 +29,7 @@ double Round(double value)
 const char* const KernelNames[] = { "Wyvill", "cubic spline", "metaball" };
 
 // Elements of a shape whose segments share no points, each in a potential of its own, in the order
-// of insertion. The threshold vanishes beside a contribution by rounding: F is the negated
+// of insertion. Beside a contribution, the threshold is lost by rounding, so F is the negated
 // contribution.
 std::vector<vtkNew<vtkSkeletonPotential>> TakeApart(SkeletonBuilder& shape, int points, int kernel)
 {
