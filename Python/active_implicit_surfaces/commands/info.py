@@ -154,7 +154,8 @@ def _range_of(values: numpy.ndarray) -> str:
         if finite.size
         else ""
     )
-    return text + f", {lengths.size - finite.size} not finite" * (finite.size < lengths.size)
+    missing = int(lengths.size - finite.size)
+    return text + f", {missing} not finite" * (missing > 0)
 
 
 def _count_texts(texts: Any) -> str:
