@@ -92,8 +92,8 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
   {
     if (report.MovingShare > SteadyStateCriterion::FewMoving)
     {
-      text << std::setprecision(2) << 100.0 * report.MovingShare
-           << " % of the skin does not settle: it oscillates (mean over the whole skin: "
+      text << "A part of the skin, " << std::setprecision(2) << 100.0 * report.MovingShare
+           << " %, does not settle: it oscillates (mean over the whole skin: "
            << report.MovingDistance << " voxels), usually because the target has edges or steps "
            << "that Tension smooths or the lattice cannot resolve. Use a distance or a smooth "
            << "image as target. Otherwise, over a mask, lower Tension; over distances with steps, "
