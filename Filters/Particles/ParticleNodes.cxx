@@ -21,6 +21,8 @@ constexpr double BeyondOwnRadius = 0.1;
 constexpr double Band = 3.0;
 // A displacement of this length or more along an axis counts as unknown [voxels].
 constexpr double LongestDisplacement = 1e6;
+// A smaller strength counts as 0, because products of small strengths underflow to 0.
+constexpr double LeastStrength = 1e-20;
 
 void CheckPlace(double place)
 {
@@ -212,7 +214,8 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
   const double own = this->GetOwnRadius(particle) / voxel, reach = ReachOfMotion * own;
   this->OwnRadius[k] = static_cast<float>(own);
   this->Reach[k] = static_cast<float>(particle.Radius / voxel);
-  this->Strength[k] = static_cast<float>(particle.Strength);
+  this->Strength[k] =
+    particle.Strength > LeastStrength ? static_cast<float>(particle.Strength) : 0.f;
   this->InverseReach2[k] = static_cast<float>(1.0 / (reach * reach));
 }
 

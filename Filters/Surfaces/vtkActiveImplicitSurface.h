@@ -230,8 +230,8 @@ public:
   /** Model of the surface of particles. SUM (0): the paper's sum of ParticleKernel at
    * ParticleThreshold; bumpy, and by default wider than the particles. ANISOTROPIC (1): ellipsoids
    * fitted to the neighbours; a body of particles has a flat surface, and an isolated particle
-   * without radii is a ball of one spacing's diameter. Lines of a skeleton are always a SUM.
-   * Default: ANISOTROPIC. */
+   * without radii is a ball of one spacing's diameter; strengths above 1 count as 1. Lines of a
+   * skeleton are always a SUM. Default: ANISOTROPIC. */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }

@@ -52,7 +52,8 @@ def skin(
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
         Weight of each particle, or the name of a point array. Weights of 0 or less give no skin;
-        with ``particle_model="sum"`` negative weights also remove skin of other particles.
+        those above 1 count as 1. With ``particle_model="sum"`` larger weights give a larger ball,
+        and negative weights remove skin of other particles.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional

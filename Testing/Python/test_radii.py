@@ -180,5 +180,44 @@ class Kernels(unittest.TestCase):
         self.assertAlmostEqual(shown[0] / shown[1], 2.0, delta=0.06)
 
 
+class Strengths(unittest.TestCase):
+    def skin(self, most, **options):
+        block = numpy.stack(numpy.meshgrid(*[numpy.arange(4.0)] * 3), -1).reshape(-1, 3)
+        strengths = numpy.where(numpy.arange(64) % 3, 1.0, most)
+        return active.skin(block, strengths=strengths, particle_spacing=1.0, **options)
+
+    def test_ellipsoids_count_those_above_one_as_one(self):
+        whole = corners_of(self.skin(1.0))
+        for most in (3.0, 1e24, 1e90):
+            with self.assertWarnsRegex(active.ActiveSurfaceWarning, "above 1 count as 1"):
+                self.assertEqual(corners_of(self.skin(most)).tobytes(), whole.tobytes())
+
+    def test_a_sum_grows_with_them(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            volumes = [
+                measure(self.skin(most, particle_model="sum"))["volume"]
+                for most in (1.0, 3.0, 1e9, 1e24, 1e90)
+            ]
+        self.assertLess(volumes[0], 0.9 * volumes[1])
+        self.assertLess(volumes[1], 0.9 * volumes[2])
+        self.assertEqual(volumes[2:], 3 * volumes[2:3])
+
+    def test_another_model_uses_the_given_ones(self):
+        found = []
+        for first in (0, 1):
+            points = as_particles(balls([0.5, 0.5]), weight=numpy.array([1.0, 9.0]))
+            surface = active.vtkActiveImplicitSurface()
+            surface.SetInputData(points)
+            surface.SetInputArrayToProcess(2, 0, 0, 0, "weight")
+            surface.SetParticleSpacing(1.0)
+            surface.SetParticleModel(first)
+            surface.Update()
+            surface.SetParticleModel(0)
+            surface.Update()
+            found.append(corners_of(surface.GetOutput()).tobytes())
+        self.assertEqual(found[0], found[1])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -95,7 +95,8 @@ Bytes PackParticles(const ParticleFrame& frame, const ParticleChoice& chosen)
   Append<std::int64_t>(chosen, bytes, [&frame](std::uint32_t i) { return frame.Ids[i]; });
   if (head.HasStrengths)
   {
-    Append<double>(chosen, bytes, [&particles](std::uint32_t i) { return particles[i].Strength; });
+    Append<double>(
+      chosen, bytes, [&particles](std::uint32_t i) { return particles.GetGivenStrength(i); });
   }
   if (head.HasVelocities)
   {

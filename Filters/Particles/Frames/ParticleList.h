@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace activesurface
@@ -54,9 +55,11 @@ public:
         this->IsSingle ? static_cast<double>(this->Single[i][axis]) : this->Double[i][axis];
     }
     particle.Radius = this->Radii.Get(i);
-    particle.Strength = this->Strengths.Get(i);
+    particle.Strength = std::min(this->Strengths.Get(i), this->MostStrength);
     return particle;
   }
+
+  double GetGivenStrength(std::size_t i) const { return this->Strengths.Get(i); }
 
   // Reserves capacity in an empty list. isSingle: the coordinates are exact in single precision.
   void Reserve(std::size_t count, bool isSingle)
@@ -94,6 +97,15 @@ public:
   bool HaveStrengths() const
   {
     return !this->Strengths.Each.empty() || this->Strengths.Common != 1.0;
+  }
+
+  // Makes operator[] return `most` for strengths above. Returns true if there are any.
+  bool LimitStrengths(double most)
+  {
+    this->MostStrength = most;
+    const std::vector<double>& each = this->Strengths.Each;
+    return !this->empty() &&
+      (each.empty() ? this->Strengths.Common : *std::max_element(each.begin(), each.end())) > most;
   }
 
   // Radius of all particles; valid only if the radii are equal.
@@ -187,6 +199,7 @@ private:
   std::vector<std::array<float, 3>> Single;
   std::vector<std::array<double, 3>> Double;
   Column Radii, Strengths;
+  double MostStrength = std::numeric_limits<double>::infinity();
 };
 
 }

@@ -19,6 +19,11 @@ namespace activesurface
 namespace
 {
 
+// Largest strengths that have an effect. Ellipsoids fade in with strengths from 0 to 1. A SUM of
+// larger strengths than this limit would reach at most 0.05 % of a kernel radius farther, and could
+// overflow.
+constexpr double MostStrengthOfEllipsoids = 1.0, MostStrengthOfSum = 1e9;
+
 // Throws for cells other than vertices. A vtkPolyData needs no check: a vtkPolyData with lines or
 // polygons is read as a skeleton or a mesh (InputKinds.cxx).
 void CheckHasVerticesOnly(vtkDataSet* data)
@@ -87,8 +92,23 @@ std::string ParticleShape::Prepare(const TargetOptions& options, const Warnings&
         " because a coordinate, radius or strength is not finite (NaN, or beyond +-1e100), or a "
         "radius is below 1e-100. Correct or remove such particles.");
   }
+  this->LimitStrengths(options, messages);
   options.GiveRadii(options.Model, this->Particles);
   return "";
+}
+
+void ParticleShape::LimitStrengths(const TargetOptions& options, const Warnings& messages)
+{
+  const bool isSum = options.Model == ParticleModel::Sum;
+  if (this->Particles.Particles.LimitStrengths(
+        isSum ? MostStrengthOfSum : MostStrengthOfEllipsoids) &&
+    !isSum)
+  {
+    messages.Say("limited strengths",
+      "Strengths of particles above 1 count as 1 with ParticleModel ANISOTROPIC; use SUM, or "
+      "choose "
+      "no array of strengths.");
+  }
 }
 
 void ParticleShape::AddBounds(

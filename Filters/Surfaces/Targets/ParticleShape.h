@@ -44,6 +44,8 @@ protected:
   void MoveBy(const double offset[3]) override { this->Particles.MoveBy(offset); }
 
 private:
+  void LimitStrengths(const TargetOptions& options, const Warnings& messages);
+
   ParticleFrame Particles;
   ParticleArrays Kept;
   bool HasVertices = false;

@@ -84,10 +84,14 @@ TEST(TestParticleBytes, MergedPartsAreTheWhole)
     {
       chosen[random() % (ranks - 1)].push_back(i); // the last rank gets none
     }
+    // The bytes contain the given strengths, because another model has another limit.
+    ParticleFrame limited = whole;
+    EXPECT_TRUE(limited.Particles.LimitStrengths(0.3));
+    EXPECT_LE(limited.Particles[0].Strength, 0.3);
     std::vector<Bytes> parts;
     for (const ParticleChoice& ofRank : chosen)
     {
-      parts.push_back(PackParticles(whole, ofRank));
+      parts.push_back(PackParticles(limited, ofRank));
     }
     EXPECT_TRUE(parts.back().empty());
     const ParticleFrame merged = MergeParticles(parts, whole);
