@@ -39,7 +39,7 @@ Shape MakeTorus(const Point& centre, double ringRadius, double tubeRadius);
 /** Threshold - sum of (1 - r^2/radius^2)^3: not a distance, and constant far away. */
 Shape MakeMetaballs(const std::vector<Point>& centres, double radius, double threshold);
 
-/** Six metaballs on the axes, merged into one body. */
+/** Six metaballs, two near each axis, that overlap and form one body. */
 Shape MakeSixMetaballs();
 
 /** Two balls joined by a capsule. */
@@ -64,7 +64,7 @@ Shape MakeAlgebraicBall(const Point& centre, double radius);
  * direction. */
 Shape MakeEllipsoid(const Point& semiAxes);
 
-/** Disk around the z axis with its middle plane at a height. */
+/** Disk around the z axis; `height` is the z coordinate of its middle plane. */
 Shape MakeSlab(double height, double thickness, double radius);
 
 /** Constant value: as a target, it moves the surface with a uniform speed. */
@@ -80,7 +80,7 @@ Shape Scale(const Shape& shape, double factor);
 /** Moves a shape from the origin to a point. */
 Shape Move(const Shape& shape, const Point& to);
 
-/** Gradient by central differences, for shapes of size 1. */
+/** Gradient by central differences of step 1e-5, for shapes of size about 1. */
 Point GetGradient(const Shape& shape, const Point& point);
 
 InitialFunction MakeInitialFunction(const Shape& shape);
@@ -104,12 +104,13 @@ private:
 };
 
 /**
- * Starts the surface on a shape within Box, at time 0. Sets a maximum of active voxels that no
- * sound surface reaches: noise throws instead of exhausting the memory.
+ * Starts the surface on a shape within Box, at time 0. The limit of active voxels is far above the
+ * need of a smooth surface, so that a surface full of noise throws instead of exhausting the
+ * memory.
  */
 void StartOn(NarrowBand& band, const Shape& shape);
 
-/** Centres that no symmetry of the lattice favours. */
+/** Arbitrary centres, so that shapes are not symmetric with respect to the lattice. */
 constexpr Point CentreA = { 0.013, 0.007, -0.021 };
 constexpr Point CentreB = { -0.027, 0.041, 0.009 };
 }

@@ -13,11 +13,12 @@ namespace activesurface
 class FitsOfDoubles
 {
 public:
-  // own: own radius of the particles; reach: support radius of their kernels; loss: added to the
-  // own radius for the ball of an isolated particle.
+  // own: own radius of the particles; reach: largest support radius of their kernels; loss: added
+  // to the own radius for the ball of an isolated particle.
   FitsOfDoubles(const std::vector<Point>& particles, double own, double reach, double loss);
 
-  // Sum of strength (1 - d^2)^3 over the ellipsoids, 1 at the surface.
+  // Sum of strength * (1 - d^2)^3 over the ellipsoids, where d is 1 at the boundary of the
+  // ellipsoid. The sum is 1 at the surface.
   double SumAt(const Point& x) const;
 
 private:

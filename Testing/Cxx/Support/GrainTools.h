@@ -32,7 +32,6 @@ std::vector<Grain> MakeBlob(double x);
  * 7.25) and "name" (text, "grain <id>"). */
 vtkSmartPointer<vtkPolyData> MakeCloud(const std::vector<Grain>& grains);
 
-/** Adds an array with the same numbers for all points. */
 void AddFloats(vtkPolyData* points, const char* name, int components, double value);
 
 /** Kernel of particles: a function of q = distance / kernel radius, for q < 1. */
@@ -51,7 +50,8 @@ struct Expected
 Expected FindExpected(
   const std::vector<Grain>& grains, const double x[3], KernelFormula kernel = Wyvill);
 
-/** Names of all point arrays of the skin, each followed by its bytes unless it is a text array. */
+/** Names of the skin's point arrays, each followed by the bytes of the array, except for text
+ * arrays. */
 std::string GetArrayBytes(vtkActiveImplicitSurface* filter);
 
 }

@@ -66,8 +66,8 @@ inline std::vector<std::vector<double>> SampleByThreads(
   return samples;
 }
 
-// Spacing (0.5, 0.25, 2), an extent that starts at (2, -3, 10), and axes turned about z by an angle
-// of cosine 0.8, then cyclically exchanged.
+// Geometry of an image. The axes of a turned image are rotated about z by an angle of cosine 0.8,
+// then cyclically exchanged.
 struct Place
 {
   explicit Place(bool isTurned)

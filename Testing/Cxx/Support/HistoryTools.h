@@ -15,17 +15,17 @@ class vtkPolyData;
 namespace activesurface
 {
 
-/** Triangles, and their normals if they have any. */
+/** Mesh of the triangles. Its normals are those of the points, if there are any. */
 Mesh GetMesh(vtkPolyData* triangles);
 
-/** Number of edges and vertices that violate a closed manifold, and of unused vertices. */
+/** Sum of all counts of MeshDefects. */
 std::size_t CountDefects(const Mesh& mesh);
 
 /** "bodies voids Euler-number" of a mesh, or of a row of the history. */
 std::string DescribeTopology(const Mesh& mesh);
 std::string DescribeTopology(vtkActiveImplicitSurface* filter, int row);
 
-/** Values of the present history. A missing column throws. */
+/** Values of the current history. GetNumber throws if the row or the column is missing. */
 int CountRows(vtkActiveImplicitSurface* filter);
 double GetNumber(vtkActiveImplicitSurface* filter, int row, const char* column);
 std::string GetLastEvent(vtkActiveImplicitSurface* filter);

@@ -1,5 +1,5 @@
 /**
- * Captures the messages of a VTK object, which do not reach the console, for checks by a test.
+ * Captures the messages of a VTK object: a test can check them, and they do not reach the console.
  */
 #ifndef MessageCapture_h
 #define MessageCapture_h
@@ -29,7 +29,6 @@ public:
   /** Errors of the executive, if the object is an algorithm: failed requests. */
   std::vector<std::string> PipelineErrors;
 
-  /** Number of messages of all three kinds. */
   std::size_t CountAll() const;
 
   /** Returns true if an error or a warning of the object contains the words. */

@@ -41,8 +41,8 @@ public:
 
   using Cloud = std::function<std::vector<Particle>(double time)>;
   void SetCloud(const Cloud& cloud);
-  /** Time steps to publish. If empty, the source publishes only TIME_RANGE 0..10 if continuous,
-   * else no time. */
+  /** Time steps to publish. A source without steps publishes the TIME_RANGE 0..10 if it is
+   * continuous, and otherwise no time. */
   void SetSteps(const std::vector<double>& steps);
   void SetContinuous(bool continuous);
   /** RequestData fails from this execution on, counted from 0. */
@@ -74,7 +74,6 @@ void CountExecutions(vtkAlgorithm* algorithm, int& executions);
 /** Points, triangles and normals of the skin as bytes; empty for an empty skin. */
 std::string GetBytes(vtkActiveImplicitSurface* filter);
 
-/** GetBytes after an update to this time. */
 std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time);
 
 /** Bounding box of the skin; an empty skin has x min > x max. */
@@ -83,15 +82,15 @@ std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter);
 /** A ball of radius 0.6 that shrinks towards one of radius 0.4, at the time steps 0, 0.1 ... 1. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall();
 
-/** Without an input. SUM of kernels of radius 0.3, explicit substeps, voxels of 0.05 in the box
- * +-1, and an Attraction of 10. */
+/** Filter without an input: SUM of kernels of radius 0.3, explicit substeps, voxels of 0.05 in the
+ * box +-1, and an Attraction of 10. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin();
 
-/** MakeSkin with an input whose particles have no ids. */
+/** MakeSkin with an input, and without an array of ids. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(vtkAlgorithm* source);
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(vtkDataObject* data);
 
-/** MakeSkin with an input whose particles have ids. */
+/** MakeSkin with an input whose array "id" has the ids of the particles. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(ParticleSource* source);
 
 /** Squared distance to a centre on the x axis, minus the squared radius. */
@@ -109,10 +108,10 @@ Radii GetRadii(vtkActiveImplicitSurface* filter, double x = 0.0);
 void CheckBall(
   vtkActiveImplicitSurface* filter, double radius, double tolerance, const std::string& name);
 
-/** One ball that moves along x from 0, by 0.2 per unit of time. */
+/** One particle that moves along x from 0, by 0.2 per unit of time. */
 std::vector<Particle> MovingBall(double time);
 
-/** The moving ball at the time steps 0 to 4. */
+/** Source of MovingBall at the time steps 0 to 4. */
 vtkSmartPointer<ParticleSource> MakeMovingBall();
 
 }

@@ -7,7 +7,7 @@ namespace activesurface
 namespace
 {
 
-/** Number in [-1, 1] for the corner of a cell: a hash of the corner's coordinates. */
+/** Number in [-1, 1) for the corner of a cell: a hash of the corner's coordinates. */
 double NoiseAt(const std::int64_t corner[3])
 {
   std::uint64_t bits = 1;

@@ -2,12 +2,11 @@
  * Centres and lengths drawn at random near given ones: scenes for which no constant of the scheme
  * was chosen.
  *
- * The same numbers in every run and on every platform: the bits are those of std::mt19937, which
- * the C++ standard fixes; its distributions, which differ between libraries, are not used.
+ * The numbers are the same on every platform, because only the bits of std::mt19937 are used. The
+ * distributions of the C++ standard library differ between platforms.
  *
- * Each test has a generator with its own seed, so that its numbers do not depend on other tests.
- * Draw into variables or within braces, in the order of the text: the order in which a call's
- * arguments are evaluated is the compiler's.
+ * Draw into variables or within braces, because the compiler chooses the order in which the
+ * arguments of a call are evaluated.
  */
 #ifndef RandomShapes_h
 #define RandomShapes_h
@@ -24,7 +23,7 @@ class RandomShapes
 public:
   explicit RandomShapes(std::uint32_t seed);
 
-  /** Uniform in [least, most): least + (most - least) * bits / 2^32. */
+  /** Uniform in [least, most). */
   double DrawBetween(double least, double most);
 
   /** Point within 0.05 along each axis. */
@@ -33,7 +32,6 @@ public:
   /** Length within 10 %. */
   double DrawLengthNear(double length);
 
-  /** Ball whose centre and radius are drawn as above. */
   Ball DrawBallNear(const Ball& ball);
 
 private:
@@ -41,7 +39,7 @@ private:
 };
 
 /** The shape plus noise in [-amplitude, amplitude], drawn at the corners of cells and trilinear in
- * between, as in an image of this spacing. */
+ * between, as in an image of spacing `cell`. */
 Shape MakeNoisy(const Shape& shape, double cell, double amplitude);
 }
 

@@ -101,7 +101,7 @@ inline void CheckSound(const NarrowBand& band, const Topology& expected)
   EXPECT_EQ(topology.EulerCharacteristic, expected.EulerCharacteristic) << "Euler number";
 }
 
-/** Start of the tests of new parts. */
+/** Scene of TestNewParts and TestNewPartsRules. */
 namespace twoballs
 {
 constexpr int Nodes = 48;

@@ -77,7 +77,6 @@ private:
   std::mt19937_64 Generator;
 };
 
-// Builds a vtkPolyData with the point arrays "r" and "s" point by point.
 class SkeletonBuilder
 {
 public:
@@ -122,8 +121,8 @@ public:
   vtkNew<vtkCellArray> Verts;
 };
 
-// Adds elements of every size, points and tapered segments, some of them long and thin. `spread` is
-// the side of the cube that contains the points and the starts of the segments.
+// Adds points and tapered segments of various sizes, some of them long and thin. The points and the
+// starts of the segments lie in a cube of side `spread`.
 inline void Fill(
   SkeletonBuilder& shape, Random& random, int points, int segments, double radius, double spread)
 {

@@ -1,5 +1,5 @@
 /**
- * Simulates a full disk for this process: files are limited in size.
+ * Simulates a full disk by a limit on the size of the files of this process.
  */
 #ifndef SmallDisk_h
 #define SmallDisk_h
@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** Limits files to this size during its lifetime. */
+/** Limits files to `size` bytes during its lifetime. */
 class SmallDisk
 {
 public:

@@ -76,7 +76,8 @@ std::size_t CountBadEdges(const Mesh& mesh)
   return bad;
 }
 
-// For each vertex, the other two corners of its triangles, in the order of the triangles.
+// For each vertex, the other two corners of each of its triangles, in the orientation of the
+// triangle.
 std::vector<std::vector<HalfEdge>> GetFans(const Mesh& mesh)
 {
   std::vector<std::vector<HalfEdge>> fans(mesh.GetNumberOfPoints());

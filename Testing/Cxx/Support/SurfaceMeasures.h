@@ -23,7 +23,7 @@ struct Mesh
   std::size_t GetNumberOfTriangles() const { return this->Corners.size() / 3; }
   Point GetPoint(std::size_t vertex) const;
   Point GetNormal(std::size_t vertex) const;
-  /** Vector along the triangle's own normal, of twice its area. */
+  /** Vector along the triangle's normal; its length is twice the triangle's area. */
   Point GetAreaVector(std::size_t triangle) const;
 };
 Mesh Polygonise(const NarrowBand& band);
@@ -41,8 +41,7 @@ struct MeshDefects
 };
 MeshDefects FindDefects(const Mesh& mesh);
 
-/** Topology of a closed mesh. Each of its parts bounds a body from outside or a void from
- * inside. */
+/** Topology of a closed mesh. Each connected part of the mesh encloses a body or a void. */
 struct Topology
 {
   int Components = 0;
@@ -62,8 +61,8 @@ struct Range
 /** Distances of the vertices from a centre. */
 Range GetRadii(const Mesh& mesh, const Point& centre);
 
-/** Norm of the potential's gradient, by central differences, at the sample points; 1 for a
- * distance. */
+/** Norm of the potential's gradient, by central differences, where the surface crosses lattice
+ * edges; 1 for a distance. */
 Range GetSlopes(const NarrowBand& band);
 
 /** Deviation of the skin from a shape: first-order distances [voxels], angles of normals [degrees].

@@ -1,4 +1,4 @@
-// Helpers of the other tests: each passes and fails when it should.
+// Tests that the helpers of the other tests pass and fail when they should.
 
 #include "Support/OutputFiles.h"
 #include "Support/SameSkins.h"

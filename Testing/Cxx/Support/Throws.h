@@ -9,8 +9,8 @@
 #include <string>
 
 /**
- * Success if action() throws an Exception whose message contains the words. Any other exception
- * propagates, and fails the test.
+ * Success if action() throws an Exception whose message contains the words. An exception of any
+ * other type propagates, and fails the test.
  */
 template <class Exception, class Action>
 testing::AssertionResult Throws(Action action, const std::string& words)

@@ -1,5 +1,5 @@
 /**
- * Domain of the exact tests and the benchmarks, and the simplest motion there.
+ * Domain of the exact tests and the benchmarks, and motions of attraction and tension.
  */
 #ifndef UnitBox_h
 #define UnitBox_h

@@ -29,7 +29,7 @@ namespace TestAdvance
 
 const std::vector<double> AllTimes = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };
 
-// Two balls that move apart. A third is born at time 2, the first is gone at time 4.
+// Two balls that move apart. Ball 3 is born at time 2, and ball 1 is gone from time 4 on.
 std::vector<Particle> Part(double time)
 {
   std::vector<Particle> particles = { { -0.1 * time, 0.0, 0.0, 2 } };
@@ -75,7 +75,6 @@ Filter Prepare(Filter filter)
   return filter;
 }
 
-// The sums of the paper. The default motion of particles, with births and Transport, follows below.
 Filter MakePlain()
 {
   auto filter = Prepare(MakeSkin());
@@ -137,8 +136,8 @@ void GoesOn(vtkActiveImplicitSurface* filter, std::size_t first,
   }
 }
 
-// Checks for one error with these words. The skin is that of the last frame, and later frames
-// continue from it.
+// Checks that `push` causes one error with these words, leaves the skin of the last frame, and does
+// not affect later frames.
 void Refuses(const std::function<void(vtkActiveImplicitSurface*)>& push, const std::string& words)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -166,7 +165,7 @@ TEST(TestAdvance, GivesTheSkinsOfTheFinishedSeries)
   }
 }
 
-// Only the points are new, and the frame carries a different time of its own.
+// The time 77 of the frame's own information is ignored.
 TEST(TestAdvance, TakesOneObjectThatIsWrittenOver)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -182,7 +181,7 @@ TEST(TestAdvance, TakesOneObjectThatIsWrittenOver)
   }
 }
 
-// A pipeline downstream requests a time of its own, or none. Only the newest skin is available.
+// Consumers may request any time, but only the newest skin is available.
 TEST(TestAdvance, OtherUpdatesAreForTheNewestFrame)
 {
   auto filter = MakePlain();
@@ -242,7 +241,6 @@ TEST(TestAdvance, AFrameThatCannotBeReadIsAsIfItHadNotBeen)
   Refuses(push, "all time steps of the input have to be of one kind");
 }
 
-// Particles with coordinates that are not finite are ignored, as in any input.
 TEST(TestAdvance, ParticlesThatAreNotFiniteAreLeftOut)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -296,7 +294,7 @@ TEST(TestAdvance, AFrameThatIsRefusedLeavesAnotherInput)
   EXPECT_TRUE(filter->UpdateTimeStep(AllTimes[1]));
 }
 
-// The finished part of the interval is kept. An update, or the next frame, completes it.
+// After an error, an update or the next frame completes the interval.
 TEST(TestAdvance, AMotionThatStopsGoesOn)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());

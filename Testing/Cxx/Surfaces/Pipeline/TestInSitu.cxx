@@ -74,7 +74,6 @@ std::vector<std::string> RunAfterwards()
   return skins;
 }
 
-// The list of time steps grows, which modifies the source. The newest step is requested.
 TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
 {
   const std::vector<std::string> expected = RunAfterwards();
@@ -94,8 +93,8 @@ TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
   EXPECT_EQ(filter->GetHistory()->GetValueByName(0, "Time").ToDouble(), 0.5) << "first of them";
 }
 
-// Same test with the default motion over particles. A single first step is static, so its target
-// transports nothing; the moving target has to.
+// An input with a single step is static, so its target does not transport the skin. From the second
+// step on the target has to.
 TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
 {
   const auto prepare = [](ParticleSource* source)
@@ -121,7 +120,6 @@ TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
   }
 }
 
-// Earlier skins are unchanged, also between steps.
 TEST(TestInSitu, GrowingStepsKeepThePast)
 {
   auto finished = MakeRunning(AllSteps);
@@ -140,7 +138,7 @@ TEST(TestInSitu, GrowingStepsKeepThePast)
   EXPECT_TRUE(GetAllBytes(filter) == expected) << "between two old steps";
 }
 
-// A list that grows elsewhere than at its end is a different input.
+// A list that changes elsewhere than at its end is a different input.
 TEST(TestInSitu, OtherStepsStartAnew)
 {
   auto source = MakeRunning({ 0.5, 1.0, 2.0 });
@@ -155,8 +153,8 @@ TEST(TestInSitu, OtherStepsStartAnew)
   EXPECT_TRUE(GetAllBytes(filter) == GetAllBytes(fresh)) << "the same as a new filter";
 }
 
-// A single step is static and follows the filter's own clock. If that clock has advanced the skin,
-// the next step of the input restarts the motion.
+// An input with a single step is static, so the filter advances the skin by its own time steps. If
+// the skin has advanced, the next step of the input restarts the motion.
 TEST(TestInSitu, AStillInputThatBeginsToMoveStartsAnewIfTheSkinHasMoved)
 {
   auto source = MakeRunning({ 0.5 });
@@ -208,7 +206,6 @@ TEST(TestInSitu, AnImageMayBeWrittenOver)
   }
 }
 
-// A restart forgets the past, not the time.
 TEST(TestInSitu, TimeGoesOnAfterARestart)
 {
   for (const int calls : { 0, 1, 2 })
@@ -230,7 +227,8 @@ TEST(TestInSitu, TimeGoesOnAfterARestart)
   }
 }
 
-// An emitter: the spacing, and with it the voxels, are unknown before the first particles.
+// As with an emitter, the first frames are empty. The particle spacing, and with it the voxel size,
+// is unknown until the first particles.
 TEST(TestInSitu, ASkinBeginsWithTheFirstParticles)
 {
   const auto cube = [](int i)
@@ -263,7 +261,8 @@ TEST(TestInSitu, ASkinBeginsWithTheFirstParticles)
   }
 }
 
-// The alternative of VTK 9.4 and later. No time is requested twice, whatever the user does.
+// VTK 9.4 and later: the source provides each time only once, so the filter must not request a time
+// twice.
 TEST(TestInSitu, NoPriorAccessIsObeyed)
 {
   auto source = MakeRunning({});

@@ -49,7 +49,7 @@ TEST(TestInputSteps, EqualNeighboursCountAsOne)
   EXPECT_TRUE(bytes == GetBytesAt(MakeSkinOver(once), 1.5)) << "the same bytes as of each once";
 }
 
-// All steps are equal: one time, a static target, and the filter's own steps.
+// An input whose steps are all equal is static, so the filter publishes its own steps.
 TEST(TestInputSteps, OneTimeManyTimesIsAStaticTarget)
 {
   vtkNew<ParticleSource> source;
@@ -66,7 +66,6 @@ TEST(TestInputSteps, OneTimeManyTimesIsAStaticTarget)
   EXPECT_EQ(source->GetExecutions(), std::string("0.25 ")) << "executions";
 }
 
-// Neighbours that differ in the last bit are two steps.
 TEST(TestInputSteps, OnlyExactlyEqualOnesAreMerged)
 {
   vtkNew<ParticleSource> source;

@@ -138,7 +138,6 @@ TEST(TestMessages, TooManyVoxelsAreAnError)
   Refuses(filter, "MaximumNumberOfActiveVoxels");
 }
 
-// The second error occurs late in the motion.
 TEST(TestMessages, GrowingBeyondTheMaximumIsAnError)
 {
   auto filter = MakeShrinkingBall();
@@ -370,7 +369,6 @@ TEST(TestMessages, NoSurfaceWithinTheBoundsIsAWarning)
   EXPECT_EQ(messages.Warnings.size(), 1u) << "warnings in all";
 }
 
-// The warning appears once for all steps.
 TEST(TestMessages, TargetThatIsNotFiniteIsAWarning)
 {
   auto filter = MakeShrinkingBall();

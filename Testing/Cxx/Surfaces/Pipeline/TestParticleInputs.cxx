@@ -184,7 +184,6 @@ TEST(TestParticleInputs, ColumnsOfWholeNumbersAreExact)
   EXPECT_TRUE(AreSameSkins(GetAllBytes(filter), GetAllBytes(cloud)));
 }
 
-// Arrays are chosen as point arrays or as row arrays.
 TEST(TestParticleInputs, ColumnsAreArrays)
 {
   for (const int association :
@@ -257,7 +256,7 @@ TEST(TestParticleInputs, NumbersThatAreNotFiniteAreLeftOut)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particle is left out"), 1) << "warnings";
 }
 
-// The pipeline would otherwise pass block after block, each to a skin of its own.
+// VTK's composite pipeline would otherwise execute the filter once for each block.
 TEST(TestParticleInputs, BlocksAreParticlesInTheirOrder)
 {
   const auto parts = Split();

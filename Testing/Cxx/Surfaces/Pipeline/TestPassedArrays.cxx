@@ -23,8 +23,7 @@ using namespace activesurface;
 namespace TestPassedArrays
 {
 
-// The sum of weights is 1 up to rounding, so each average of 7.25 is wrong by that rounding. The
-// array has floats.
+// The sum of the weights is 1 up to rounding, and the array has single precision.
 TEST(TestPassedArrays, AConstantStaysTheConstant)
 {
   auto filter = MakeSkinOver(MakeSource([](double) { return MakeCloud(MakeBlob(0.0)); }));
@@ -72,7 +71,6 @@ void CheckAverages(int number, KernelFormula kernel)
   EXPECT_EQ(otherIds, vtkIdType(0)) << "points with another id, kernel " << number;
 }
 
-// Weights follow the formula of the kernel. The id is that of the largest weight.
 TEST(TestPassedArrays, AnAverageIsTheFormula)
 {
   CheckAverages(vtkSkeletonPotential::WYVILL, Wyvill);
@@ -101,7 +99,6 @@ TEST(TestPassedArrays, TwoBallsKeepTheirOwn)
   EXPECT_EQ(wrong, vtkIdType(0)) << "points that have what is not theirs";
 }
 
-// A skin that starts far outside all kernels has the values of the nearest particle there.
 TEST(TestPassedArrays, WhereNoKernelReachesTheNearestCounts)
 {
   const std::vector<Grain> grains = { { -0.5, 0.0, 0.0, 1, 1.5 }, { 0.5, 0.0, 0.0, 2, 2.5 } };
@@ -126,8 +123,8 @@ TEST(TestPassedArrays, WhereNoKernelReachesTheNearestCounts)
 }
 
 // Particle 2, of value 300, is born at the position of particle 1, of value 100, between step 0 and
-// step 1. At a fraction f its kernel is multiplied by f. As both kernels are otherwise equal, its
-// part of the value is f / (1 + f).
+// step 1. At a fraction f of this interval the kernel of particle 2 is multiplied by f, so its
+// value has the weight f / (1 + f).
 TEST(TestPassedArrays, ABirthComesInByItsStrength)
 {
   const auto cloud = [](double time)

@@ -21,8 +21,7 @@ namespace TestPassedColors
 namespace
 {
 
-// A red and a blue particle, apart on the x axis; "rgb", "rgba" and "label" are arrays of unsigned
-// char.
+// A red and a green particle.
 const std::vector<Grain> Two = { { -0.1, 0.0, 0.0, 1, 0.0 }, { 0.1, 0.0, 0.0, 2, 1.0 } };
 
 vtkSmartPointer<vtkDataSet> MakeColored(double)
@@ -56,9 +55,7 @@ vtkUnsignedCharArray* GetBytes(vtkActiveImplicitSurface* filter, const char* nam
 
 }
 
-// The temperature is the weight of the second particle, in double precision. Colours are the
-// corresponding averages, rounded to the nearest integer. Both sums use the same order, to 1e-13,
-// far from any half.
+// The temperature is the weight of the second particle, in double precision.
 TEST(TestPassedColors, ColorsAreTheRoundedAverages)
 {
   auto filter = MakeColoredSkin();
@@ -86,9 +83,8 @@ TEST(TestPassedColors, ColorsAreTheRoundedAverages)
   EXPECT_LT(50, between) << "points between the two";
 }
 
-// Where both particles have the same weight, red and blue are 127.5 each. Halves are rounded up, to
-// 128; the third component is 11.5, thus 12. The lattice has nodes at x = 0, and edges along y and
-// z that cross.
+// At x = 0 both particles have the same weight, so red, green and alpha are 127.5, and blue is
+// 11.5. Halves are rounded up.
 TEST(TestPassedColors, TheMiddleIsTheAverage)
 {
   auto filter = MakeColoredSkin();

@@ -1,4 +1,4 @@
-// Outputs divided into pieces, as for the ranks of a parallel program: nothing occurs twice.
+// Outputs divided into pieces, as for the ranks of a parallel program.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -87,7 +87,7 @@ TEST(TestPieces, OtherPiecesHaveTheTimeOfTheFirst)
   }
 }
 
-// Particles have no bounds before they are read, and no consumer that needs bounds was connected.
+// Without ModelBounds the extent of the image is unknown until the particles have been read.
 TEST(TestPieces, PiecesOfAnImageWithoutABoxAreParts)
 {
   auto whole = MakeSkinOver(MakeMovingBall());
@@ -117,8 +117,7 @@ TEST(TestPieces, ThereMayBeMorePiecesThanNodes)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// Pieces of an image may share a layer of nodes. Every node is in at least one piece, with its
-// value.
+// Pieces of an image may share a layer of nodes.
 TEST(TestPieces, PiecesOfTheImageMakeUpTheWhole)
 {
   auto filter = MakeShrinkingBall();

@@ -1,5 +1,4 @@
-// Times that the pipeline requests of the filter, and times that the filter requests of its input:
-// number and order of the requests. The result does not depend on them.
+// Times that the pipeline requests of the filter, and times that the filter requests of its input.
 
 #include "Support/PipelineTools.h"
 
@@ -156,7 +155,6 @@ TEST(TestPipeline, EarlierTimeRestarts)
   EXPECT_TRUE(AreSameSkins(first, again)) << "the same bytes";
 }
 
-// The skin at a time depends only on that time, bitwise.
 TEST(TestPipeline, OrderOfRequestsDoesNotMatter)
 {
   auto direct = MakeSkinOver(MakeMovingBall());
@@ -197,8 +195,7 @@ TEST(TestPipeline, TimesBetweenLeaveTheTrajectoryAlone)
     << "the next step's bytes";
 }
 
-// 3 * .1 is not .3. The difference must not cause a branch to almost the next step, followed by the
-// step itself.
+// 3 * 0.1 is not 0.3. The difference must not cause a branch that ends just before the step.
 TEST(TestPipeline, TimesThatDifferByRoundingAreTheStep)
 {
   auto filter = MakeShrinkingBall();

@@ -1,5 +1,4 @@
-// The image of the potential, output port 1: its extent, its values, and the time of its
-// computation.
+// The image of the potential, output port 1: its extent, its values and its time.
 
 #include "Support/PipelineTools.h"
 
@@ -171,8 +170,8 @@ TEST(TestPotentialImage, ContoursOfTheImageAreTheSkin)
   EXPECT_NEAR(bounds[4], GetSkinBounds(filter)[4], 0.02 * VoxelSize) << "least z";
 }
 
-// Bounds of particles are defined after reading. A consumer of the image gets them beforehand,
-// without an additional execution.
+// The bounds of particles are unknown until the particles have been read. With a connected
+// consumer, UpdateInformation reads the first step, without an additional execution.
 TEST(TestPotentialImage, ExtentOverParticlesIsKnownToConsumers)
 {
   auto source = MakeMovingBall();

@@ -49,7 +49,8 @@ std::unique_ptr<NarrowBand> MakeGrownBall()
   return band;
 }
 
-// A ball moved only by tension, which does not correct slopes: r / r0, here 0.55 / 0.7.
+// A ball that shrinks by tension only. Tension does not correct slopes: the slope is r / r0 = 0.55
+// / 0.7.
 std::unique_ptr<NarrowBand> MakeShrunkBall()
 {
   auto band = std::make_unique<NarrowBand>(H);
@@ -109,7 +110,7 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const Mesh& mesh)
 
 // u / |grad u| is wrong by d^2 / 2 times the relative change of the slope. That is 1 / r for the
 // algebraic ball and 1 / r - r / r0^2 after tension, so 0.032 h and 0.015 h at d = h. Interpolation
-// adds h^2 / 4r = 0.02 h. The noise of the ball itself is measured.
+// adds h^2 / 4r = 0.02 h, and the skin half of the spread of its measured radii.
 namespace
 {
 void CheckDistance(const NarrowBand& band, double slope)
@@ -142,9 +143,8 @@ TEST(TestSkinDistance, BallsHaveTheirDistance)
   CheckDistance(*MakeShrunkBall(), 0.55 / 0.7);
 }
 
-// A triangle within a voxel is off the trilinear surface by h^2 / 8 times curvatures: 0.1 h is
-// ample for radii of 2 h and more. The fraction of points within that distance of the mesh bounds
-// the number of differences.
+// A triangle deviates from the trilinear surface by about h^2 / 8 times the curvature. So only
+// points next to the surface may be on different sides.
 TEST(TestSkinDistance, SidesAreThoseOfTheMesh)
 {
   auto band = MakeMetaballBand();
@@ -172,8 +172,7 @@ TEST(TestSkinDistance, SidesAreThoseOfTheMesh)
   EXPECT_LT(different / 1e5, 0.25 * share) << "share of those that differ";
 }
 
-// U is linear along lattice edges, and 0 at the vertices of the skin. Vertices are rounded to
-// floats, 6e-8 or 1.4e-6 h, at slopes up to 1.5 (here over the same slope).
+// The distance is 0 at the vertices, up to their rounding to single precision, 6e-8 or 1.4e-6 h.
 TEST(TestSkinDistance, VerticesOfTheSkinAreAtZero)
 {
   auto band = MakeMetaballBand();
@@ -187,9 +186,8 @@ TEST(TestSkinDistance, VerticesOfTheSkinAreAtZero)
   EXPECT_LT(largest, 1e-5) << "largest distance of a vertex [h]";
 }
 
-// Points are in the interior of voxels, and where the value is not clamped. The quotient's third
-// derivatives are at most about 1e3 / h^2 (its slopes are about 1, at worst 0.05), times step^2 /
-// 6. Rounding adds 1e-16 / 1e-4.
+// Points lie in the interior of voxels, where the value is smooth. A central difference is off by
+// step^2 / 6 times the third derivative, which is at most about 1e3 / h^2.
 TEST(TestSkinDistance, GradientIsThatOfTheValue)
 {
   auto band = MakeMetaballBand();
@@ -287,7 +285,6 @@ TEST(TestSkinDistance, NoSkinIsOutsideEverywhere)
   }
 }
 
-// Includes vtkGridPotential, several threads, and a band that has moved or been deleted.
 TEST(TestSkinDistance, SnapshotKeepsItsBytes)
 {
   auto band = MakeGrownBall();

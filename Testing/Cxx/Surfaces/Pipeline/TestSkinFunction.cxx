@@ -42,15 +42,15 @@ double ValueAt(vtkImplicitFunction* function, double x, double y = 0.0, double z
   return function->EvaluateFunction(place);
 }
 
-// Radius from the volume in the last row: that of the polygons.
+// Radius of the ball that has the volume in the last row of the history.
 double GetRadius(vtkActiveImplicitSurface* filter)
 {
   const double volume = GetNumber(filter, CountRows(filter) - 1, "Volume");
   return std::cbrt(3.0 * volume / (4.0 * Pi));
 }
 
-// The function is zero at the skin's radius, up to the sagitta h^2 / 8 r = 0.02 h. Within 1.5
-// voxels it is a distance, up to the effect of curvature, about h^2 / 2 r = 0.08 h.
+// The function is zero at the skin's radius, up to the sagitta h^2 / 8 r = 0.02 h. One voxel away
+// it deviates from the distance by about h^2 / 2 r = 0.08 h.
 void IsTheBall(vtkImplicitFunction* function, double radius, const std::string& name)
 {
   for (const double offset : { -1.0, 0.0, 1.0 })
@@ -143,7 +143,7 @@ TEST(TestSkinFunction, SkinFunctionIsOutsideAfterAnError)
   IsTheBall(function, radius, "after the correction");
 }
 
-// A request for information discards the state, so no skin is available for the function.
+// After a change, UpdateInformation discards the state, so the function has no skin.
 TEST(TestSkinFunction, SkinFunctionAfterAChangeIsOutside)
 {
   auto filter = MakeShrinkingBall();
@@ -163,7 +163,6 @@ TEST(TestSkinFunction, SkinFunctionAfterAChangeIsOutside)
   IsOutside(fed->GetSkinFunction(), "of an input that has changed");
 }
 
-// The function outlives the filter, and keeps its last skin.
 TEST(TestSkinFunction, SkinFunctionOutlivesTheFilter)
 {
   vtkSmartPointer<vtkImplicitFunction> function;
@@ -221,9 +220,8 @@ vtkSmartPointer<vtkSelectEnclosedPoints> Enclose(vtkPoints* points, vtkPolyData*
 }
 
 // Within a voxel the trilinear surface and the triangles differ by the sagitta of its diagonal, 3
-// h^2 / 8 r = 0.085 h for the tube's radius of 4.4 h, less than 0.1 h. The mean difference is the
-// sagitta of the voxel's side, 0.03 h. Of 1e5 points in a volume of 8, 1e5 * area * 0.03 h / 8 lie
-// between both.
+// h^2 / 8 r = 0.085 h for the tube's radius of 4.4 h. The mean difference is the sagitta of the
+// voxel's side, 0.03 h.
 TEST(TestSkinFunction, SkinFunctionHasTheSidesOfTheMesh)
 {
   constexpr int count = 100000;
@@ -288,9 +286,8 @@ TEST(TestSkinFunction, SkinFunctionCanBeUsedByThreads)
   }
 }
 
-// The second skin starts as a ball and moves to the first skin; e^-12 of the distance remains:
-// 0.0001 h. On a lattice of the same voxels, its crossings are those of the target's trilinear
-// cells, up to their sagitta, 0.02 h.
+// Both skins have voxels of the same size, so they deviate by the sagitta of the target's trilinear
+// cells, 0.02 h.
 TEST(TestSkinFunction, SkinFunctionCanBeATarget)
 {
   auto first = MakeTorusSkin();

@@ -37,8 +37,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeMovingSkin(const Cloud& cloud, dou
   return filter;
 }
 
-// Two grains: the first one stands still, the other approaches from the right with speed 0.1. Their
-// balls touch at about time 2.
+// Two grains: the first one stands still, and the second one approaches with speed 0.1.
 std::vector<Grain> Meeting(double time)
 {
   return { { -0.2, 0.0, 0.0, 1, 0.0 }, { 0.25 - 0.1 * time, 0.0, 0.0, 2, 0.0 } };
@@ -88,7 +87,6 @@ TEST(TestVelocityBound, PartsThatMergeGoNoFasterThanTheirParticles)
   EXPECT_LT(2.0 * MeetingSpeed, largest) << "largest velocity without a bound";
 }
 
-// Long vectors keep their direction; short ones are bitwise unchanged.
 TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
 {
   auto bounded = MakeMovingSkin(Meeting, 0.5 * MeetingSpeed);
@@ -117,8 +115,8 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
   EXPECT_LT(10, kept) << "others";
 }
 
-// A skin follows a ball with a lag that is accurate to 0.12 voxel (TestTracking). The error of its
-// speed is that times Attraction, by which the front may exceed the bound.
+// The lag of a skin behind a moving ball is accurate to 0.12 voxel (TestTracking), so the speed of
+// the skin is accurate to Attraction times this length.
 TEST(TestVelocityBound, ATranslationIsNotShortened)
 {
   constexpr double attraction = 10.0;
@@ -159,7 +157,7 @@ TEST(TestVelocityBound, TheBoundIsPerMotionTime)
     << "largest velocity, ten times as fast";
 }
 
-// A skin over static particles that starts on another shape, and a function as target.
+// Static particles and functions as targets have no automatic bound.
 TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
 {
   const Cloud still = [](double) { return Meeting(2.5); };

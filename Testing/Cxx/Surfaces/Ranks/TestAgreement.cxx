@@ -20,7 +20,7 @@ Bytes MakeBytes(const std::string& text)
   return { text.begin(), text.end() };
 }
 
-// The sentence of the collective, on each rank the same.
+// Returns the error message, which has to be the same on all ranks.
 std::string RunToError(int size, const std::function<void(Agreement& ranks)>& program)
 {
   std::vector<std::string> sentences(static_cast<std::size_t>(size));

@@ -31,7 +31,6 @@ namespace TestInputPiece
 namespace
 {
 
-// Makes `count` points in a row, with an array of each kind.
 vtkSmartPointer<vtkPolyData> MakeRow(int first, int count)
 {
   vtkNew<vtkPoints> points;
@@ -75,7 +74,8 @@ vtkSmartPointer<vtkImageData> MakeSlices(int first, int last)
   return image;
 }
 
-// GetTuple1 and GetPoint(i) share a buffer, and the ranks here are threads.
+// GetTuple1 and GetPoint(i) write to a buffer of the data, and the ranks are threads that share the
+// expected data.
 double Scalar(vtkDataSet* data, vtkIdType i)
 {
   return data->GetPointData()->GetScalars()->GetComponent(i, 0);
@@ -88,7 +88,7 @@ double X(vtkDataSet* data, vtkIdType i)
   return x[0];
 }
 
-// Each rank's piece goes in; `check` sees the whole on each rank.
+// Gathers the pieces that `make` returns, and calls `check` with the whole on each rank.
 void Gather(int size, const std::function<InputPiece(int rank)>& make,
   const std::function<void(vtkDataSet* whole)>& check)
 {
