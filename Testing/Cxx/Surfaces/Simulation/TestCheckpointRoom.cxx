@@ -14,8 +14,8 @@ using namespace activesurface;
 namespace TestCheckpointRoom
 {
 
-// The start is discarded last. Of the others, the first of those is discarded whose removal leaves
-// the smallest gap.
+// The start is discarded last. Otherwise the state is discarded whose removal leaves the smallest
+// gap; of several such states, the first one.
 TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
 {
   NarrowBand band(VoxelSizeOf(16));

@@ -170,7 +170,8 @@ TEST(TestCheckpoints, GoingBackCostsLessThanAnInterval)
   }
 }
 
-// The update is aborted 50 times, after varying numbers of substeps, before a request for any time.
+// An update precedes each request, and is aborted after a random number of progress events unless
+// it ends earlier.
 TEST(TestCheckpoints, AbortsLeaveNoTrace)
 {
   auto filter = MakeSkinOverDrops(MakeDrops());
@@ -231,8 +232,7 @@ TEST(TestCheckpoints, ChangingTheCheckpointsDoesNotRestart)
   EXPECT_EQ(filter->GetSubsteps(), vtkIdType(0)) << "substeps";
 }
 
-// Another filter, as in another program, resumes from the file to later times and times between
-// them.
+// The second filter stands for another program, which loads the file.
 TEST(TestCheckpoints, SavedStateGoesOnToTheSameBytes)
 {
   const std::string file = OutputName("state.vdb");
@@ -281,7 +281,6 @@ TEST(TestCheckpoints, StatesThatDoNotFitAreRefused)
     << "other voxels";
 }
 
-// A file truncated anywhere, or with a wrong byte, gives an error or a state, never a crash.
 TEST(TestCheckpoints, DamagedFilesAreNoStates)
 {
   const std::string file = OutputName("state_to_damage.vdb");
@@ -302,7 +301,6 @@ TEST(TestCheckpoints, DamagedFilesAreNoStates)
   EXPECT_EQ(messages.Errors.size(), 20u) << "a sentence for each";
 }
 
-// For any limit of the disk, the earlier file survives, and no other file remains.
 TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
 {
   const std::string folder = EmptyFolder("full_disk");
@@ -326,7 +324,6 @@ TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.5), good)) << "and is that of its time";
 }
 
-// The size is 4 bytes per active voxel, and 144 bytes per leaf, with its two masks.
 TEST(TestCheckpoints, PackedStateIsSmallAndGoesOnToTheSameBytes)
 {
   for (const int n : { 40, 96 })

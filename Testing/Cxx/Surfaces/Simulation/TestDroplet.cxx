@@ -75,8 +75,7 @@ double GetVolume(vtkActiveImplicitSurface* filter)
 
 }
 
-// The displacement of the skin follows from its speed, within 0.12 voxel, the error for a moving
-// ball.
+// The tolerance of 0.12 voxel is that of a moving ball in TestTracking.
 TEST(TestDroplet, DyingDropletShrinksAsItsPotentialTells)
 {
   auto filter = MakeDroplet();
@@ -88,10 +87,10 @@ TEST(TestDroplet, DyingDropletShrinksAsItsPotentialTells)
   }
 }
 
-// The skin is no faster than Attraction * Reach. Between two times the volume decreases by at most
-// that of a shell of this thickness. The tolerance adds 0.1 voxel times the ball's area for the
-// error of the volume, and a ball of 3 voxels' diameter, too small for the lattice. The volume of a
-// ball of 11 voxels is accurate to 0.58 %.
+// The skin is no faster than Attraction * Reach, so the volume decreases by at most a shell of this
+// speed times the interval. The tolerance adds 0.1 voxel to the shell for the error of the volume,
+// and a ball of 3 voxels' diameter, too small for the lattice. The volume of a ball with a radius
+// of 11 voxels is accurate to 0.58 %.
 TEST(TestDroplet, DyingDropletDoesNotPop)
 {
   constexpr double dt = 0.05;

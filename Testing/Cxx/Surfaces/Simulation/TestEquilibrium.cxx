@@ -36,7 +36,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double VoxelSize = VoxelSizeOf(40);
 constexpr double Goal = 0.6;
 
-// A ball of radius 0.5 that moves to its steady state on one of 0.6.
+// A ball of radius 0.5 that moves towards one of 0.6.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSettlingBall(double tension = 0.005)
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
@@ -198,8 +198,7 @@ struct Stopper
 
 }
 
-// Includes several aborts, and a maximum number of substeps that is reached. Substeps are counted
-// from the start.
+// MaximumNumberOfSubsteps counts from the start, and includes the substeps before an abort.
 TEST(TestEquilibrium, StoppedWayToRestGoesOn)
 {
   for (const int maximum : { 10000, 150 })
@@ -252,8 +251,7 @@ TEST(TestEquilibrium, SecondUpdateCostsNothing)
   EXPECT_EQ(filter->GetTargetEvaluations(), evaluations) << "evaluations of the target";
 }
 
-// The centre of the ball of particles is 0.2 times the time, which begins at 1. Tolerance of one
-// voxel: the centre must not be at 0.4 or more.
+// The particle is at x = 0.2 times the time: at 0.2 in the first step, at time 1.
 TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
 {
   auto source = MakeMovingBall();
@@ -273,8 +271,8 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
   EXPECT_EQ(source->GetExecutions(), "1 ") << "times asked for";
 }
 
-// The ball has the least area of all bodies of a given volume. Spread and tolerance are those of
-// HeldBallIsAtRest in TestSettle; the volume is constrained to 1e-6.
+// The ball has the least area of all bodies of a given volume. The bound of the spread is that of
+// HeldBallIsAtRest in TestSettle.
 TEST(TestEquilibrium, HeldBoxBecomesABallOfItsVolume)
 {
   auto filter = MakeSettlingBall(1.0);

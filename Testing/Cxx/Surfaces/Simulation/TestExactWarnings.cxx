@@ -62,8 +62,7 @@ TEST(TestExactWarnings, ATargetOutsideIsAWarning)
   EXPECT_EQ(CountWarnings(area), 1) << "warnings in all, with constrained area";
 }
 
-// A target that the skin meets, or that is just within reach at one side, can be followed. A skin
-// in a steady state causes no warning.
+// The skin can follow a target that overlaps it, or that is within TargetReach of it.
 TEST(TestExactWarnings, ATargetThatIsMetIsNoWarning)
 {
   const auto ball = MakeSphere(0.0, 0.4);

@@ -38,8 +38,7 @@ constexpr double Pi = 3.14159265358979323846;
 // A potential at a time, negative inside.
 using Formula = std::function<double(const Point&)>;
 
-// A moving input and its formula, in the box +-1 and at the times 0, 1 .. LastStep. Between the
-// steps the motion is proportional to time, at least 0.08 from one step to the next.
+// A moving input and its formula, in the box +-1 and at the times 0, 1 .. LastStep.
 struct Scene
 {
   std::function<vtkSmartPointer<vtkDataSet>(double time)> Input;
@@ -71,10 +70,9 @@ std::string GetTopologyOf(const Formula& formula)
   return DescribeTopology(GetMesh(polygons->GetOutput()));
 }
 
-// Expected topology at each step. An empty string is a step next to an event, where the lag and the
-// lattice decide. Elsewhere the steps before and after have the same topology, so that an event is
-// at least one step away. That is 50 times the lag of 1 / Attraction, and about two of the coarse
-// skin's voxels, which do not resolve thinner parts.
+// Expected topology at each step. The string is empty next to an event, where the lag and the
+// lattice decide. At all other steps an event is at least one step away: 50 times the lag of 1 /
+// Attraction.
 std::vector<std::string> GetExpected(const Scene& scene)
 {
   std::vector<std::string> all;
@@ -201,7 +199,7 @@ Scene MakeScene(const Cloud& cloud, int lastStep, const std::string& story)
   return { [cloud](double time) { return MakeBlobs(cloud(time)); }, inside, lastStep, story };
 }
 
-// Seven particles that form a ball of radius about 0.35, times a scale.
+// Seven particles that form a ball of radius about 0.3, times a scale.
 void AddBall(std::vector<Blob>& blobs, const Point& centre, double scale)
 {
   blobs.push_back({ centre, 0.4 * scale });
@@ -213,7 +211,7 @@ void AddBall(std::vector<Blob>& blobs, const Point& centre, double scale)
   }
 }
 
-// Particles on a spiral around a sphere, as evenly spaced as possible.
+// Particles on a spiral around a sphere, nearly evenly spaced.
 std::vector<Blob> MakeShellOfParticles(double radius)
 {
   constexpr int count = 150;
@@ -245,7 +243,6 @@ TEST(TestFilterTopology, TwoCloudsMeetAndPart)
   IsFollowed(MakeScene(cloud, 10, "2 0 4, 1 0 2, 2 0 4"));
 }
 
-// A cloud vanishes as its radii become 0, or as its particles are missing in a step.
 TEST(TestFilterTopology, OneOfTwoCloudsVanishes)
 {
   const Cloud shrinking = [](double time)
@@ -292,7 +289,6 @@ TEST(TestFilterTopology, VoidOfAShellCloses)
   IsFollowed(MakeScene(cloud, 6, "1 1 4, 1 0 2"));
 }
 
-// The particles are up to five times as dense as their radii suggest.
 TEST(TestFilterTopology, VoidClosesAndOpens)
 {
   const Cloud cloud = [](double time)
@@ -337,8 +333,8 @@ vtkSmartPointer<vtkImageData> MakeFormulaImage(const Formula& formula)
 
 }
 
-// The level of the centre changes by 0.083 from step to step, and the slope of the blend is at most
-// 1: a displacement of at least 0.083.
+// The value at the centre changes by 0.083 from step to step, and the slope of the blend is at most
+// 1, so the surface moves by at least 0.083.
 TEST(TestFilterTopology, ImageOfABallBecomesATorusAndABall)
 {
   IsFollowed({ [](double time) { return MakeFormulaImage(BlendBallAndTorus(time)); },

@@ -162,9 +162,9 @@ double GetFlickerOfSkin(double rate)
   return GetFlicker(rows);
 }
 
-// Heights n are independent from frame to frame and linear in between: x' = rate (n - x), x(k+1) =
-// d x(k) + a n(k) + b n(k+1). The ratio is the second difference of the response to a single n,
-// over that of n itself, sqrt(6).
+// The heights n of the frames are independent, and linear in time between frames. The height x of
+// the skin follows x' = rate (n - x), so x(k+1) = d x(k) + a n(k) + b n(k+1). The ratio is the norm
+// of the second difference of the response to a single n, over sqrt(6), that of n itself.
 double PredictRatio(double rate)
 {
   const double d = std::exp(-rate);
@@ -181,9 +181,9 @@ double PredictRatio(double rate)
 
 }
 
-// The measured ratio is that of two roots of mean squares over 28 frames and about 3 by 3
-// independent bumps: an error of sqrt(1 / 250) = 6 %. Substeps are a tenth of the rate's time
-// constant and evaluate the target at their beginning. Tolerance for both: 15 %.
+// The measured ratio has a random error of sqrt(1 / 250) = 6 %, from 28 frames and about 3 by 3
+// independent bumps. Substeps add an error, because they are a tenth of the rate's time constant
+// and evaluate the target at their beginning. Tolerance for both: 15 %.
 TEST(TestFlicker, SkinFlickersAsItsRateTells)
 {
   const double frames = GetFlickerOfFrames();

@@ -137,7 +137,7 @@ TEST(TestGridParts, BubbleOpensDeepInside)
   EXPECT_NEAR(GetRadii(filter).Largest, 0.7, GridError);
 }
 
-// Inverted shape: an unbounded body around a ball, which is a hollow.
+// The inverted ball is a hollow in an unbounded body.
 TEST(TestGridParts, InvertedPartIsAHollow)
 {
   auto filter = MakeSkinOver(MakeBallMesh(0.3));
@@ -151,7 +151,6 @@ TEST(TestGridParts, InvertedPartIsAHollow)
   EXPECT_NEAR(GetRadii(filter).Least, 0.3, GridError);
 }
 
-// A step has one part more than the step before: the part grows in between.
 TEST(TestGridParts, PartOfASeriesAppearsOnTheWayToItsStep)
 {
   for (const MakeBallOf& make : Kinds)
@@ -184,10 +183,10 @@ TEST(TestGridParts, PartOfASeriesAppearsOnTheWayToItsStep)
   }
 }
 
-// Two balls that share a lens of one voxel, as shapes of another topology: the skin meets them. If
-// F is limited to 0.1, the blend of the balls has an isolated piece at 0.3 of the interval. At the
-// centre it is 0.7 * 0.1 - 0.3 * 0.3 < 0, and between the centre and the lens 0.7 * 0.1 - 0.3 *
-// 0.15 > 0.
+// The balls at both steps share a lens of one voxel, so the skin meets the next shape. The first
+// morph limits F to 0.1, so its blend has an isolated piece at 0.3 of the interval: F is 0.7 * 0.1
+// - 0.3 * 0.3 < 0 at the centre of the second ball, and 0.7 * 0.1 - 0.3 * 0.15 > 0 between this
+// centre and the lens.
 TEST(TestGridParts, ShapesThatMeetChangeByNoBit)
 {
   using Morph = std::function<vtkSmartPointer<vtkDataSet>(double t)>;
@@ -245,10 +244,9 @@ TEST(TestGridParts, PaperCreatesNone)
   EXPECT_EQ(GetNumber(filter, 1, "Components"), 1.0);
 }
 
-// An isolated triangle, a million voxels away and without an inside, costs only itself. The
-// automatic bounds span a million voxels, so a start from all of their nodes would be refused. With
-// the triangle the mesh is open. Distances to open meshes are computed in another way, which may
-// choose another nearest triangle for a node: the distances agree to a thousandth of a voxel.
+// The stray triangle extends the automatic bounds to a million voxels, where a start from all nodes
+// would be refused. The triangle also makes the mesh open. Distances to open meshes are computed in
+// another way, and agree to a thousandth of a voxel.
 TEST(TestGridParts, StrayTriangleCostsItself)
 {
   vtkNew<vtkPoints> points;

@@ -99,9 +99,9 @@ TEST(TestHistory, EachStepHasARow)
   }
 }
 
-// The speed at the start of a step is Attraction (F - 0) / |grad F| = (r^2 - R^2) / 2r, at the
-// skin's radius at that time. The target's distance is evaluated at chords, within h^2 / 8r =
-// 0.001. The maximum over the nodes' crossings adds as much.
+// The speed at the start of a step is Attraction F / |grad F| = (r^2 - R^2) / 2r, at the skin's
+// radius at that time. The target's distance is evaluated at chords, within h^2 / 8r = 0.001. The
+// maximum over the nodes' crossings adds as much.
 TEST(TestHistory, MaxSpeedIsThatOfTheStep)
 {
   auto filter = MakeShrinkingBall();
@@ -132,7 +132,7 @@ TEST(TestHistory, SubstepsAddUp)
   }
 }
 
-// Both are computed from polygons. The mesh has single precision, 6e-8 of each coordinate.
+// The points of the mesh have single precision.
 TEST(TestHistory, AreaAndVolumeAreThoseOfTheMesh)
 {
   for (const auto& filter : { MakeShrinkingBall(), MakeMeeting() })

@@ -202,7 +202,7 @@ TEST(TestInitial, OneSourceMayBeBoth)
   EXPECT_NEAR(centre, 0.2 - 0.1 * (1.0 - std::exp(-2.0)), 0.5 * VoxelSize) << "centre";
 }
 
-// After a failure the pipeline requests another step, because VTK would not repeat the failed
+// After a failure the filter requests another step, because VTK would not repeat the failed
 // request. The initial shape is that of the first step nevertheless.
 TEST(TestInitial, OneSourceMayBeBothAfterAFailure)
 {

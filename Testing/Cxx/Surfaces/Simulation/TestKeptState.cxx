@@ -26,7 +26,7 @@ namespace
 constexpr int Few = 10000; // active voxels: radius 0.6: 7200, 0.9: 16000
 constexpr int Many = 60000;
 
-// A ball of radius 0.6 that becomes one of 0.9, in steps of 1 with about 9 substeps in the first.
+// A ball of radius 0.6 that becomes one of 0.9, in steps of 1.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeGrowingBall(int maximum)
 {
   auto filter = MakeShrinkingBall();
@@ -95,7 +95,7 @@ TEST(TestKeptState, RaisingTheMaximumGoesOn)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// The limit is checked after a substep, and before the next one.
+// The limit is also checked before a substep, so the second update makes none.
 TEST(TestKeptState, ErrorsOneAfterTheOtherGainNothing)
 {
   auto direct = MakeGrowingBall(Many);
@@ -173,8 +173,8 @@ TEST(TestKeptState, InterruptedBranchLeavesTheStepAlone)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 1.0), atOne)) << "the same bytes at the next step";
 }
 
-// The source fails at its fourth execution, without being modified. Step 2 is requested again,
-// because VTK treats a failed time as available.
+// VTK regards the failed request for step 3 as fulfilled, so the filter first requests step 2
+// again.
 TEST(TestKeptState, InputThatFailsKeepsTheLastStep)
 {
   auto source = MakeMovingBall();

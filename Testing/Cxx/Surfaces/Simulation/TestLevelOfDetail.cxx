@@ -44,14 +44,13 @@ constexpr double CoarseSupport = 2.8;
 constexpr int Fine = 400;
 constexpr int Coarse = 50;
 
-// A substep of c = CFL, in units of the rate, removes c of the remaining distance. The same results
-// from -ln(1 - c) / c times the rate in the limit of small substeps.
+// A substep of CFL time constants removes the fraction CFL of the remaining distance. Small
+// substeps remove the same fraction at -ln(1 - CFL) / CFL times the rate.
 constexpr double CFL = 0.1;
 
 using Points = std::vector<std::array<double, 3>>;
 
-// Points of a cubic lattice nearest to the centre, with a jitter of a fifth of the spacing. Each
-// represents the same part of the body's volume.
+// Points of a jittered cubic lattice that are nearest to the centre.
 Points MakeLatticeBall(int count, double spacing)
 {
   std::mt19937_64 generator(count);
@@ -198,7 +197,7 @@ struct Levels
   vtkSmartPointer<vtkPolyData> After = MakeSurface(this->Potential);
   Distances Jump = Measure(this->Before, this->After);
 
-  // Largest gradient of the coarse potential between both surfaces.
+  // Largest gradient of the coarse potential on both surfaces.
   double GetGradient() const
   {
     return std::max(GetLargestGradient(this->Potential, this->Before),
@@ -219,7 +218,6 @@ void JumpsNoFartherThan(
   EXPECT_LT(0.5 * share * bound.Mean, jump.Mean) << "the skin moves, " << name;
 }
 
-// The numbers of pieces, of voids and of handles are the same at all steps.
 void HasOneTopology(vtkTable* history)
 {
   for (const char* column : { "Components", "Voids", "EulerCharacteristic" })

@@ -111,8 +111,8 @@ TEST(TestLivingParticles, AutomaticAttractionIsSixFromStepToStep)
   EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0))) << "1 is 1";
 }
 
-// Without Transport the target has moved three voxels, where u is 3. After the step the potential
-// is psi + (3 - psi) e^-3, so the skin is at psi = -0.16 voxel or farther behind.
+// Without Transport the skin has three time constants for the three voxels of each step, so it lags
+// by 3 / (e^3 - 1) = 0.16 voxel.
 TEST(TestLivingParticles, TransportTakesTheLagAway)
 {
   auto filter = MakePlainSkin(MakeMovingBlock);
@@ -144,7 +144,7 @@ TEST(TestLivingParticles, ParticleThatAppearsAwayGetsASkinOfItsOwn)
   auto filter = MakePlainSkin(appearing);
   EXPECT_EQ(CountParts(filter, 0.0), 1);
   EXPECT_EQ(CountParts(filter, 1.0), 2) << "in the step in which it comes";
-  // Its own radius, plus the deficit of the triangles.
+  // The ball of an isolated particle is enlarged by 15.5 %, see FindLossOfBall.
   EXPECT_NEAR(GetSkinBounds(filter)[1], 30.0 + 1.155 * R, 0.1 * R);
   filter->CreatePartsOff();
   EXPECT_EQ(CountParts(filter, 1.0), 1) << "without CreateParts";
@@ -228,7 +228,7 @@ TEST(TestLivingParticles, SkinThatHasVanishedComesBackWithParticles)
 }
 
 // Tension / Attraction = r^2 removes balls with a radius below 2.83 r in the limit of many steps.
-// The ball of an isolated particle has r.
+// The ball of an isolated particle is smaller.
 TEST(TestLivingParticles, TensionSparesDrops)
 {
   const auto withDrop = [](double)

@@ -77,8 +77,7 @@ double GetOffset(double power, double right)
 
 }
 
-// Tolerance 1e-5 through splits, as in TestControls. Tension splits a dumbbell; the second skin
-// follows a moving ball.
+// The tolerance of 1e-5 is that of a motion with splits in TestControls.
 TEST(TestMotionProperties, ExactVolumeIsHeldInTheHistory)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -115,9 +114,9 @@ TEST(TestMotionProperties, TargetVolumeAndAreaAreHeld)
   IsHeld(area, "Area", 3.0);
 }
 
-// e (1 - e)^(1/3) = 2 b / (g r0) for the volume, e (1 - e)^(1/2) = 2 b / (g r0) for the area, with
-// tension b, stiffness g, and r0 of the polygons. Tolerance 1 % as in TestControls, which uses the
-// same balls.
+// The missing share e solves e (1 - e)^(1/3) = 2 b / (g r0) for the volume, and e (1 - e)^(1/2) = 2
+// b / (g r0) for the area, with tension b, stiffness g and the radius r0 at the start. Tolerance 1
+// % as in TestControls.
 TEST(TestMotionProperties, PenaltiesLeaveTheirOffsets)
 {
   constexpr double stiffness = 100.0;
@@ -159,8 +158,8 @@ TEST(TestMotionProperties, BothExactIsAnError)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.016), bytes)) << "bytes after the correction";
 }
 
-// Tolerance 1e-6, single precision; 0.93 is on no node. Only some faces are reached: the shape ends
-// before the others.
+// The walls at x = 0.93 and y = -0.69 lie between nodes, and the skin reaches only these two.
+// Tolerance 1e-6, single precision.
 TEST(TestMotionProperties, BoundedSkinStaysWithin)
 {
   auto filter = MakeTense(MakeBall({ 0.1, 0.0, 0.0 }, 0.5), 40);
@@ -191,7 +190,7 @@ TEST(TestMotionProperties, BoundedSkinStaysWithin)
     << "without walls it goes through";
 }
 
-// The start extends through a face too: the skin begins closed on the face, and within.
+// The initial shape extends through the wall at x = 0.93.
 TEST(TestMotionProperties, BoundedSkinStartsClosed)
 {
   auto filter = MakeTense(MakeBall({ 0.5, 0.01, -0.02 }, 0.7), 40);
@@ -286,7 +285,7 @@ TEST(TestMotionProperties, EvaluationAtNodesRoughensTheNormals)
 namespace
 {
 
-// Ratio of the substeps for the next step after a change to the substeps of a step.
+// Substeps of the update after a change, over those of the update before the change.
 double GetSteps(const std::function<void(Filter)>& change)
 {
   auto filter = MakeShrinkingBall();

@@ -163,7 +163,7 @@ TEST(TestOutside, AParticleMayBeOutsideByItsOwnRadius)
   }
 }
 
-// The radius follows from KernelRadius, a multiple of 2 r, or from the array of radii.
+// The own radius follows from KernelRadius or from the array of radii.
 TEST(TestOutside, AKernelTellsTheRadiusToo)
 {
   const auto points = MakePoints({ 0.0, BallRadius + 0.95 * R, BallRadius + 1.05 * R }, false);
@@ -208,7 +208,6 @@ TEST(TestOutside, AShapeCountsByItsVolume)
   level->SetTargetIsoValue(0.1);
   EXPECT_NEAR(GetOutsideAt(level, 0.1), share, tolerance) << "a level of a mesh";
 
-  // The part of the box outside the ball: 8 - 4 pi / 3 0.8^3.
   auto inverse = MakeStandingBall(0.05);
   inverse->SetInputData(MakeBallMesh(radius));
   inverse->SetInvertTarget(true);

@@ -1,5 +1,4 @@
-// Kinds of input: each data set has one kind, and a separate target attracts like that of the
-// motion.
+// Kinds of input: each data set has one kind. A separate target attracts like the target in use.
 
 #include "Shapes/MeshShapes.h"
 #include "Simulation/TargetBuilder.h"
@@ -26,7 +25,6 @@ namespace TestTargetBuilder
 namespace
 {
 
-// No array has been chosen by the user.
 class NoArrays : public ChosenArrays
 {
 public:

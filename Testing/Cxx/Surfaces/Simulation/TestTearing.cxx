@@ -21,9 +21,9 @@ namespace TestTearing
 namespace
 {
 
-// A ball of radius 0.5 at the origin moves to another shape, and splits at the origin. By symmetry
-// the skin gets there straight from the side. No other point gets there sooner, as the distance to
-// the target is largest on that path. The time is the integral of 1 / (Attraction * distance).
+// A ball of radius 0.5 at the origin moves to another shape, and splits when its surface reaches
+// the origin. By symmetry the surface arrives there along a straight line, where the distance to
+// the target is largest. The time is the integral of 1 / (Attraction * distance).
 struct Metamorphosis
 {
   Shape End;

@@ -46,9 +46,9 @@ struct Comparison
   std::size_t Points = 0;
 };
 
-// Central difference over +-interval of the distance to the skin, a function of position, at the
-// points of the skin. The difference is undefined where two surfaces meet: points within two voxels
-// of the plane x = 0 are ignored if the skin splits there.
+// Compares the velocity with the central difference in time of the distance to the skin, at the
+// points of the skin. If the skin splits, points within two voxels of the plane x = 0 are ignored,
+// because the difference is undefined where two surfaces meet.
 Comparison Compare(vtkActiveImplicitSurface* filter, double time, double interval, bool tears)
 {
   filter->UpdateTimeStep(time);
@@ -112,8 +112,8 @@ TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
-// Attraction 3 is above 2 per step, so the motion is on nodes, with Transport. Times are between
-// two steps, at a step, and at the last one, where the preceding interval counts.
+// With an Attraction above 2 per step, AUTOMATIC makes one step per time step, with Transport. At
+// the last time the velocity is that of the preceding interval.
 TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
@@ -154,7 +154,6 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
-// Times are before and after the split.
 TEST(TestVelocity, VelocityOfASplittingSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
@@ -230,9 +229,7 @@ std::vector<Grain> MakeSlab(double angle, double shift)
   return grains;
 }
 
-// The skin is transported with its particles. The normal error depends on how far the skin has
-// converged to its target. The bound is a tenth of the mean speed. The normal part exceeds it by
-// far, as most of the slab's surface moves tangentially.
+// Most of the slab's surface moves tangentially, so the normal part lacks most of the velocity.
 TEST(TestVelocity, ATranslatingSlabHasItsWholeVelocity)
 {
   auto filter = MakeMovingSkin([](double time) { return MakeSlab(0.0, 0.1 * time - 0.2); });
@@ -261,8 +258,8 @@ TEST(TestVelocity, ATurningSlabHasItsWholeVelocity)
       const double u = -rate * x[1], v = rate * x[0];
       return std::array<double, 3>{ c * u + s * v, c * v - s * u, 0.0 };
     };
-    // At the rim the average comes from particles on one side, further in by up to a third of the
-    // kernel radius of 0.3: slower by rate * 0.1, a fifth of the mean speed.
+    // At the rim the average comes from particles that are further in by up to a third of the
+    // kernel radius of 0.3. They are slower by rate * 0.1, a fifth of the mean speed.
     EXPECT_LT(CompareWhole(filter, field), 0.2) << "by default at " << time;
   }
 }
@@ -293,8 +290,8 @@ TEST(TestVelocity, DriftIsPerMotionTime)
   EXPECT_LT(CompareDrift(filter, { 2.0, 0.0, 0.0 }), 2e-6) << "ten times as fast";
 }
 
-// The particles stand still, but their array describes a flow. Particles deep inside do not
-// contribute.
+// The particles stand still, but their array describes a flow. The particles deep inside, with NaN,
+// do not contribute to the skin.
 TEST(TestVelocity, DriftComesFromTheChosenArray)
 {
   auto source = MakeSource(

@@ -66,8 +66,8 @@ std::vector<Particle> MakePool(double time)
   return particles;
 }
 
-// Distances from the box of the skin's points below a height that are near one side of the box, not
-// near an edge, where the skin is rounded.
+// Distances to the nearest side of the box, for the points of the skin below a height. Points near
+// an edge of the box are left out, because the skin is rounded there.
 std::vector<double> FindGaps(vtkPolyData* skin, double below)
 {
   std::vector<double> found;
@@ -159,7 +159,6 @@ TEST(TestWalls, ABlockRestsFlatOnAWallBetweenNodes)
   }
 }
 
-// The free surface keeps its height at the walls.
 TEST(TestWalls, TheFreeSurfaceMeetsTheWallsAtItsHeight)
 {
   auto filter = MakeSkinInBox(MakePool, 1);
@@ -183,14 +182,14 @@ TEST(TestWalls, TheFreeSurfaceMeetsTheWallsAtItsHeight)
   EXPECT_NEAR(sums[1] / counts[1], sums[0] / counts[0], 0.5 * R);
 }
 
-// The volume beneath a block that comes to the floor grows from 0 to that of the widest filled gap,
-// and then falls twice as fast as the gap, more at the block's edges: without a jump.
+// As the gap widens, the filled volume beneath the block grows to that of the widest filled gap,
+// and then falls about twice as fast, without a jump.
 TEST(TestWalls, ABlockComesToTheFloorWithoutAJump)
 {
   constexpr int count = 21;
   constexpr double step = 0.1 * R, area = 0.6 * 0.6;
   constexpr double flat = (0.6 - 4.0 * R) * (0.6 - 4.0 * R); // without the rounded edges
-  // Gaps of r, and of two voxels, are filled.
+  // Gaps up to r or two voxels, whichever is less, are filled.
   for (const auto& [voxel, filled] : { std::pair{ R, 8 }, { R / 3.0, 4 } })
   {
     std::vector<double> volumes;
