@@ -1,5 +1,5 @@
-// Particles that are born and die between two steps: the potential equals the formula exactly, and
-// is continuous in time. TestDroplet and TestLevelOfDetail test the response of the skin.
+// Particles that are born and die between two steps: the potential equals the formula, and is
+// continuous in time. TestDroplet and TestLevelOfDetail test the response of the skin.
 
 #include "Support/SkeletonShapes.h"
 
@@ -26,7 +26,7 @@ namespace
 
 constexpr double Threshold = 0.5;
 
-// The slope of Wyvill's kernel is at most 6 q (1 - q^2)^2, which is largest at q = 1 / sqrt(5).
+// The slope of Wyvill's kernel, 6 q (1 - q^2)^2, is largest at q = 1 / sqrt(5).
 constexpr double SteepestKernel = 1.7173;
 
 struct Numbered
@@ -133,8 +133,8 @@ std::vector<SkeletonVertex> GetVertices(const std::vector<Numbered>& cloud)
   return vertices;
 }
 
-// Sums of some tens of terms of size 1, in another order and with differently rounded positions:
-// 1e-12.
+// Tolerance 1e-12: terms of size 1 are added in another order, at positions that are rounded in
+// another way.
 void IsThePotential(Way& way, double fraction, SkeletonBuilder& byHand, const std::string& name)
 {
   vtkNew<vtkSkeletonPotential> potential;
@@ -287,7 +287,7 @@ TEST(TestBirths, EmptyStepsFadeEverything)
   IsACrossFade(nothing, {}, {}, "nothing at all");
 }
 
-// Just before and after a step, F differs by at most the rate of its terms. A particle has a
+// Across the step F changes by at most the rates of its terms times the time. A particle has a
 // strength up to 1 and a radius of at least 0.4. Within a step the particle moves by up to sqrt(3),
 // and grows by up to 0.2.
 TEST(TestBirths, PotentialIsContinuousAcrossSteps)

@@ -176,8 +176,8 @@ TEST(TestFunctions, InsideMayBeAboveTheIsoValue)
     << "radius at the iso value";
 }
 
-// Beyond the reach the speed is Attraction * TargetReach: uniform, so exact up to 0.13 h, less than
-// the tolerance of a uniform speed in TestTracking.
+// Beyond the reach the speed is Attraction * TargetReach. The tolerance of 0.13 h is less than that
+// of a uniform speed in TestTracking.
 TEST(TestFunctions, FarTargetsAttractWithConstantSpeed)
 {
   auto filter = MakeShrinkingBall();
@@ -238,7 +238,7 @@ TEST(TestFunctions, UnknownFunctionsAreEvaluatedByOneThread)
   shy->SetRadius(0.4);
   EXPECT_TRUE(AreSameSkins(BytesTowards(shy), BytesTowards(MakeBallFunction(0.4, 0.0))))
     << "the same bytes";
-  // The work suffices for more than one thread, if the class permitted it.
+  // There is enough work for several threads.
   auto filter = MakeShrinkingBall();
   filter->SetTargetFunction(shy);
   filter->SetInitialFunction(shy);

@@ -141,13 +141,11 @@ TEST(TestMeshTargets, SlabsThinnerThanTwoVoxelsAreThin)
   }
   EXPECT_EQ(FindShare(MakeBox(4.0, 4.0, 2.0 * Voxel)), 0.0) << "two voxels";
   EXPECT_EQ(FindShare(MakeBox(4.0, 4.0, 2.1 * Voxel)), 0.0) << "more";
-  // Interpolation rounds edges off within a voxel, where the line ends.
   EXPECT_EQ(FindShare(Turn(MakeBox(4.0, 4.0, 3.0 * Voxel))), 0.0) << "three voxels, turned";
 }
 
-// Thick bodies have no thin parts, not even at the edges of cubes. A tetrahedron has edges of 70.5
-// degrees, and only its corners, which interpolation rounds off, are thin. They are at most three
-// voxels long, with sides of 57 voxels: 4 faces x 3 corners x 3^2 of 4 faces x 57^2.
+// Of a tetrahedron only the corners are thin, which interpolation rounds off. They are at most
+// three voxels long, on sides of 57 voxels: 3 corners x 3^2 of the 57^2 of each face.
 TEST(TestMeshTargets, ThickBodiesAreNot)
 {
   EXPECT_EQ(FindShare(MakeSphere(0.5, 40)), 0.0) << "ball";
@@ -184,7 +182,7 @@ TEST(TestMeshTargets, ShellsAreAsThickAsTheyAreMade)
 {
   const auto bowl = MakeSphere(0.8, 40, 90.0);
   EXPECT_EQ(FindShare(bowl, 2.1 * Voxel), 0.0) << "more than two voxels";
-  // The rim is excluded: next to it the depth rises slowly, within less than a voxel.
+  // The tolerance is the part of the area within a voxel of the rim.
   EXPECT_NEAR(FindShare(bowl, 1.5 * Voxel), 1.0, Voxel / 0.8) << "less";
   EXPECT_EQ(FindShare(bowl), 0.0) << "an open mesh has no thickness";
 }

@@ -46,8 +46,8 @@ void FollowsTheBall(ShapeSource* source, double tolerance)
 
 }
 
-// The lag is U / Attraction as for particles, within 0.12 h. On the x axis, the zero set of blended
-// distances contains the points of the straight path.
+// The lag is 0.2 / Attraction, within 0.12 h as for particles. On the x axis, a blend of the
+// distances to two balls is the distance to the ball on the straight path.
 TEST(TestMovingTargets, SkinFollowsAMovingMesh)
 {
   const auto source = MakeSource([](double t) { return MakeBallMesh(0.5, 0.2 * t); }, { 0, 1, 2 });

@@ -28,9 +28,9 @@ namespace
 constexpr int Count = 400;
 constexpr int Twins = 20;
 
-// Random particles, some of them twice, in an order given by a seed (0: in the order of drawing).
-// Twins cancel except for rounding: their strengths are 1e8 and -1e8. A sum in another order is off
-// by about 1e-8, which single precision shows.
+// Random particles in an order given by a seed (0: in the order of drawing). The last 20 are twins
+// of the first 20: their strengths of 1e8 and -1e8 cancel except for rounding, so the result
+// depends on the order of the sum.
 vtkSmartPointer<vtkPolyData> MakeParticles(unsigned seed)
 {
   std::mt19937 random(7);
@@ -107,7 +107,7 @@ TEST(TestParticleOrder, WithIdsItIsTheirs)
   }
 }
 
-// Otherwise the tests above could not fail: sums are rounded in any order.
+// If these bytes were equal, the tests above could not fail.
 TEST(TestParticleOrder, AnotherOrderWouldGiveOtherBytes)
 {
   EXPECT_FALSE(AreSameSkins(MakeSkin(0, true), MakeSkin(0, false)));

@@ -98,7 +98,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
 
 }
 
-// A ball that moves with U lags behind by U / Attraction; tolerance 0.12 h as for a function.
+// A ball of speed 0.2 lags behind by 0.2 / Attraction; tolerance 0.12 h as for a function.
 TEST(TestParticles, SkinFollowsParticlesBetweenSteps)
 {
   auto filter = MakeSkinOver(MakeSource(MovingBall));
@@ -196,8 +196,8 @@ TEST(TestParticles, WithoutIdsOtherCountsAreCrossFaded)
   const auto bounds = GetSkinBounds(filter);
   auto other = MakeSkinOver(MakeSource(still));
   other->UpdateTimeStep(1.0);
-  // An isolated ball does not appear from nothing. The other particles fade into themselves: their
-  // sum is constant.
+  // Without CreateParts no skin appears around an isolated particle. The other particles fade out
+  // and in at the same positions, so their sum is constant.
   for (int i = 0; i < 6; ++i)
   {
     EXPECT_NEAR(bounds[i], GetSkinBounds(other)[i], 1e-4 * VoxelSize) << "they stay";
@@ -304,7 +304,6 @@ TEST(TestParticles, ParticlesActLikeASkeletonPotential)
   }
 }
 
-// Neighbours on a lattice of spacing 0.1, including its boundary.
 TEST(TestParticles, SpacingIsEstimated)
 {
   std::vector<std::array<double, 3>> lattice;
@@ -324,7 +323,7 @@ TEST(TestParticles, SpacingIsEstimated)
     << "warnings that say the value";
   auto given = MakeSkinOverData(MakePoints(lattice));
   given->SetKernelRadius(0.2);
-  // The bytes differ: distances of the lattice are rounded.
+  // The estimated spacing has rounding errors, so the bytes differ.
   EXPECT_NEAR(double(bytes.size()) / GetBytesAt(given, 0.1).size(), 1.0, 0.01) << "as 0.2";
 }
 
@@ -368,7 +367,7 @@ TEST(TestParticles, AnyPointSetWillDo)
     << "a vtkUnstructuredGrid with a vertex: all its points count";
 }
 
-// 41 steps of 992 particles at 25 per second; the reader numbers them 0, 1, 2 ...
+// 41 time steps of 992 particles, 25 per second. The reader numbers the time steps 0, 1, 2 ...
 TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
 {
   vtkNew<vtkXMLPolyDataReader> reader;

@@ -28,7 +28,7 @@ namespace
 constexpr double Rate = 10.0;
 constexpr double Voxel = 0.05;
 
-// Radius at a time of a ball that moves from one radius to another.
+// Mean radius at a time of a ball that moves from one radius to another.
 double GetRadiusAt(double time, double from, double to, double noise)
 {
   vtkNew<vtkSphere> start, target;
@@ -58,7 +58,8 @@ constexpr double Spacing = 0.1;
 constexpr double R = 0.5 * Spacing;
 constexpr int Frames = 14;
 
-// 12 x 12 x 4 particles, each with a jitter of a tenth of r that is new in each step.
+// 12 x 12 x 4 particles, each with a jitter that is new in each step; its standard deviation is a
+// tenth of r.
 std::vector<Particle> MakePool(double time)
 {
   std::mt19937_64 generator(static_cast<unsigned>(time));
@@ -151,7 +152,7 @@ Unrest Measure(vtkActiveImplicitSurface* filter)
 }
 
 // d' = -0.03 Attraction d if d is small compared with the noise. At a fifth of the noise the rate
-// is larger by 0.16 % of Attraction. The tolerance is the error of a radius, 0.02 voxel.
+// is larger by 0.16 % of Attraction. The tolerance includes the error of a radius, 0.02 voxel.
 TEST(TestTargetNoise, NearTheTargetTheSkinFollowsSlowly)
 {
   const double to = 0.5, away = 0.04, noise = 0.2, time = 1.0;
