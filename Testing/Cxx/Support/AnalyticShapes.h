@@ -77,7 +77,7 @@ Shape Normalise(const Shape& shape, double reach);
 /** Scales a shape about the origin. */
 Shape Scale(const Shape& shape, double factor);
 
-/** Moves a shape from the origin to a point. */
+/** Translates a shape by a vector. */
 Shape Move(const Shape& shape, const Point& to);
 
 /** Gradient by central differences of step 1e-5, for shapes of size about 1. */

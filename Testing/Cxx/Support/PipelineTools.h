@@ -1,6 +1,6 @@
 /**
- * Tools for the pipeline tests: a time-dependent input that counts its executions, and skins over
- * it.
+ * Tools for the pipeline tests: a time-dependent input that counts its executions, and filters with
+ * such an input.
  */
 #ifndef PipelineTools_h
 #define PipelineTools_h

@@ -1,5 +1,5 @@
 /**
- * Measures of a skin for the exact tests.
+ * Measures of a skin: area, volume, topology, defects, and deviations from a shape.
  */
 #ifndef SurfaceMeasures_h
 #define SurfaceMeasures_h

@@ -183,7 +183,8 @@ std::vector<std::string> PushImages(const std::function<vtkDataObject*(int)>& fr
   return skins;
 }
 
-// The simulation overwrites the values of one image, which may be a block.
+// The simulation overwrites the values of one image, which is the frame itself or a block of the
+// frame.
 TEST(TestInSitu, AnImageMayBeWrittenOver)
 {
   vtkSmartPointer<vtkImageData> newest;
@@ -227,8 +228,8 @@ TEST(TestInSitu, TimeGoesOnAfterARestart)
   }
 }
 
-// As with an emitter, the first frames are empty. The particle spacing, and with it the voxel size,
-// is unknown until the first particles.
+// An emitter: the first frames are empty. The particle spacing, and with it the voxel size, is
+// unknown until the first particles.
 TEST(TestInSitu, ASkinBeginsWithTheFirstParticles)
 {
   const auto cube = [](int i)

@@ -42,7 +42,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 using Names = std::array<const char*, 3>;
 
-// All coordinates are exact in single precision.
+// All coordinates are exact in single precision, which the points of MakeCloud have.
 std::vector<Particle> Drops(double time = 0.0)
 {
   return { { -0.25 - 0.125 * time, 0.0, 0.125, 4 }, { 0.25 + 0.125 * time, 0.0, 0.0, 7 },
@@ -347,7 +347,7 @@ TEST(TestParticleInputs, WithoutRowsOrPointsThereAreNoParticles)
   }
 }
 
-// The class of the frames may change from one to the next.
+// The class may change from frame to frame.
 TEST(TestParticleInputs, TablesAndBlocksArePushedToo)
 {
   const auto prepare = []

@@ -317,7 +317,7 @@ TEST(TestSkinFunction, SkinFunctionCanBeATarget)
 }
 
 // A plane through the centre cuts out a disc of the ball's radius, and its circle. The skin's cells
-// add a sagitta of h^2 / 8 r = 0.0008, the plane's pieces of 0.02 one of 0.0001.
+// add a sagitta of h^2 / 8 r = 0.0008, and the plane's cells of 0.02 a sagitta of 0.0001.
 TEST(TestSkinFunction, SkinFunctionCutsAndClips)
 {
   auto filter = MakeShrinkingBall();

@@ -1,5 +1,5 @@
-// Warnings of an exact control about a target that it cannot follow. Other targets cause no
-// warning.
+// Warnings of an exact control of volume or area about a target that the skin cannot reach. Other
+// targets cause no warning.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"

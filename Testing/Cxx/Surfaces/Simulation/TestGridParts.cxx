@@ -1,5 +1,5 @@
-// Parts of meshes and images that the skin does not meet get a skin, and hollows open. Parts that
-// it meets stay bitwise identical.
+// Parts of meshes and images that the skin does not meet get a skin, and hollows open. CreateParts
+// does not change the parts that the skin meets.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"

@@ -236,7 +236,7 @@ TEST(TestInitial, OneSourceMayBeBothAfterAFailure)
   }
 }
 
-// Bounds of a mesh of width 1.2 with a quarter of its width added: 1.5.
+// The automatic bounds are 1.5 wide: a mesh of width 1.2, and a quarter of its width.
 TEST(TestInitial, BoundsComeFromTheInput)
 {
   auto filter = MakeShrinking(MakeMeshSource(0.6));

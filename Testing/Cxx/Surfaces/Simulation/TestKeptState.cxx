@@ -190,7 +190,7 @@ TEST(TestKeptState, InputThatFailsKeepsTheLastStep)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// Same test, with a failure of the step that the pipeline requests.
+// The step that fails is the one that the pipeline requests.
 TEST(TestKeptState, NextStepThatFailsKeepsTheOneBefore)
 {
   auto source = MakeMovingBall();
@@ -208,7 +208,7 @@ TEST(TestKeptState, NextStepThatFailsKeepsTheOneBefore)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// Same test, without any earlier result: VTK would pass the empty data of the failure.
+// Without an earlier result VTK would pass on the empty data of the failure.
 TEST(TestKeptState, FirstStepThatFailsIsMadeAgain)
 {
   for (const double time : { 0.0, 3.0 })

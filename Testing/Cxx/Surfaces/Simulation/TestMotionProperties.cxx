@@ -241,9 +241,9 @@ TEST(TestMotionProperties, PaperFaithfulSetsSixProperties)
     << "changed lines";
 }
 
-// The rate of r^2 - R^2 is 2 R = 1.2: after 20 time constants nothing remains of the distance. The
-// plain mean of F over a node's crossings, all within a voxel along a chord, corresponds to a
-// radius wrong by at most h^2 / 2R = 0.04 h.
+// The rate of r^2 - R^2 is 2 R = 1.2, so after 20 time constants the skin has arrived. PaperScheme
+// uses the plain mean of F over a node's crossings, which changes the radius by at most h^2 / 2R =
+// 0.04 h.
 TEST(TestMotionProperties, PaperSchemeArrivesAtABall)
 {
   auto filter = MakeTense(MakeBall(CentreA, 0.4), 40);

@@ -187,8 +187,9 @@ TEST(TestOutside, AKernelTellsTheRadiusToo)
   EXPECT_EQ(GetOutsideAt(second, 0.1), 1.0 / 3.0) << "now it is the other one";
 }
 
-// For a ball of radius 0.8, the part beyond 0.5 and a voxel of 0.05 is 1 - (0.55 / 0.8)^3 = 0.675.
-// Random points are accurate to three times sqrt(0.675 * 0.325 / 4096) = 0.022.
+// The part of a ball of radius 0.8 that is farther than a voxel of 0.05 outside the skin of radius
+// 0.5 is 1 - (0.55 / 0.8)^3 = 0.675. Random points are accurate to three times sqrt(0.675 * 0.325 /
+// 4096) = 0.022.
 TEST(TestOutside, AShapeCountsByItsVolume)
 {
   constexpr double radius = 0.8, share = 0.675, tolerance = 0.022;
@@ -214,7 +215,7 @@ TEST(TestOutside, AShapeCountsByItsVolume)
   EXPECT_EQ(GetOutsideAt(inverse, 0.1), 1.0) << "the ball of the skin is nowhere in it";
 }
 
-// One of three particles is beyond the wall, which the skin cannot cross.
+// With BoundedDomain the skin cannot reach the particle at 1.4.
 TEST(TestOutside, WhatIsBeyondAWallDoesNotCount)
 {
   for (const bool isBounded : { false, true })

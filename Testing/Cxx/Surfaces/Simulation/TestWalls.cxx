@@ -1,4 +1,4 @@
-// BoundedDomain over particles: the skin of a fluid nearer to a wall than r rests on it, flat.
+// BoundedDomain over particles: a skin that is nearer to a wall than r rests flat on the wall.
 
 #include "Support/PipelineTools.h"
 
@@ -182,8 +182,8 @@ TEST(TestWalls, TheFreeSurfaceMeetsTheWallsAtItsHeight)
   EXPECT_NEAR(sums[1] / counts[1], sums[0] / counts[0], 0.5 * R);
 }
 
-// As the gap widens, the filled volume beneath the block grows to that of the widest filled gap,
-// and then falls about twice as fast, without a jump.
+// The filled volume beneath the block grows to that of the widest filled gap, and then falls about
+// twice as fast, without a jump.
 TEST(TestWalls, ABlockComesToTheFloorWithoutAJump)
 {
   constexpr int count = 21;

@@ -70,7 +70,7 @@ vtkStandardNewMacro(ShyBall);
 }
 
 // VTK returns for a union the gradient of a difference, here that of the wrong ball. The speed
-// would change by the ratio of the two.
+// would change by the ratio of the lengths of the two gradients.
 TEST(TestFunctions, BooleansHaveTheGradientOfTheTermThatDecides)
 {
   auto ball = MakeBallFunction(0.4, 0.0);

@@ -144,8 +144,8 @@ TEST(TestMeshTargets, SlabsThinnerThanTwoVoxelsAreThin)
   EXPECT_EQ(FindShare(Turn(MakeBox(4.0, 4.0, 3.0 * Voxel))), 0.0) << "three voxels, turned";
 }
 
-// Of a tetrahedron only the corners are thin, which interpolation rounds off. They are at most
-// three voxels long, on sides of 57 voxels: 3 corners x 3^2 of the 57^2 of each face.
+// A tetrahedron is thin only at its corners, which interpolation rounds off. They are at most three
+// voxels long, on sides of 57 voxels: 3 corners x 3^2 of the 57^2 of each face.
 TEST(TestMeshTargets, ThickBodiesAreNot)
 {
   EXPECT_EQ(FindShare(MakeSphere(0.5, 40)), 0.0) << "ball";

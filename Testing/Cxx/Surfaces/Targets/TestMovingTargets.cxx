@@ -30,7 +30,7 @@ constexpr double VoxelSize = 0.05;
 constexpr double MeshError = 0.06 * VoxelSize;
 constexpr double ImageError = 0.06 * VoxelSize;
 
-// The centre moves along x by 0.2 per unit of time, from a standstill at the first step.
+// The target's centre moves along x by 0.2 per unit of time, and the skin starts without a lag.
 void FollowsTheBall(ShapeSource* source, double tolerance)
 {
   auto filter = MakeSkinOver(source);

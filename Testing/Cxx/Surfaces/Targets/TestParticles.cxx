@@ -222,8 +222,8 @@ TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// The surface of a WYVILL ball is at reach * sqrt(1 - cbrt(threshold / strength)). Crossings of
-// chords are within h^2 / 8r, and this potential's curvature adds as much: 0.1 h.
+// The surface of a WYVILL ball is at kernel radius * sqrt(1 - cbrt(threshold / strength)).
+// Crossings of chords are within h^2 / 8r, and this potential's curvature adds as much: 0.1 h.
 TEST(TestParticles, RadiusAndStrengthComeFromArrays)
 {
   vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
@@ -278,8 +278,8 @@ TEST(TestParticles, KernelAndThresholdShapeTheSkin)
   EXPECT_NEAR(radius(), 0.6 * std::sqrt(1.0 - std::cbrt(0.25)), 0.1 * VoxelSize) << "threshold";
 }
 
-// Both compute the same formula. The start over particles is sampled only near them, which gives
-// distances to 4e-6 voxel (TestSparseStart).
+// The filter and the potential compute the same formula. The start over particles is sampled only
+// near the particles, which gives distances to 4e-6 voxel (TestSparseStart).
 TEST(TestParticles, ParticlesActLikeASkeletonPotential)
 {
   vtkSmartPointer<vtkPolyData> points =

@@ -59,7 +59,7 @@ void Refuses(vtkActiveImplicitSurface* filter, const std::string& words)
 
 }
 
-// Both compute the same formula, with the same bounds and voxels.
+// The skeleton and the function have the same formula, bounds and voxels.
 TEST(TestTargets, LinesActLikeASkeletonPotential)
 {
   vtkSmartPointer<vtkPolyData> lines = MakeLines();
@@ -195,7 +195,7 @@ TEST(TestTargets, InvertedImageHasItsInsideAbove)
   inverted->SetTargetIsoValue(-0.11);
   EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 0.5), GetBytesAt(inverted, 0.5)))
     << "the same bytes at a level";
-  // The box of the image closes its inside.
+  // An inside that extends to the box of the image ends there.
   plain->SetTargetIsoValue(0.0);
   plain->InvertTargetOn();
   UnsetBounds(plain);
