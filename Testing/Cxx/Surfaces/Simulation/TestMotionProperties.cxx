@@ -241,9 +241,8 @@ TEST(TestMotionProperties, PaperFaithfulSetsSixProperties)
     << "changed lines";
 }
 
-// The rate of r^2 - R^2 is 2 R = 1.2, so after 20 time constants the skin has arrived. PaperScheme
-// uses the plain mean of F over a node's crossings, which changes the radius by at most h^2 / 2R =
-// 0.04 h.
+// The rate of r^2 - R^2 is 2 R = 1.2, so after 20 time constants the skin has arrived. The plain
+// mean of F over a node's crossings changes the radius by at most h^2 / 2R = 0.04 h.
 TEST(TestMotionProperties, PaperSchemeArrivesAtABall)
 {
   auto filter = MakeTense(MakeBall(CentreA, 0.4), 40);

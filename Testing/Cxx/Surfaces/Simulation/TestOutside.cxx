@@ -188,8 +188,8 @@ TEST(TestOutside, AKernelTellsTheRadiusToo)
 }
 
 // The part of a ball of radius 0.8 that is farther than a voxel of 0.05 outside the skin of radius
-// 0.5 is 1 - (0.55 / 0.8)^3 = 0.675. Random points are accurate to three times sqrt(0.675 * 0.325 /
-// 4096) = 0.022.
+// 0.5 is 1 - (0.55 / 0.8)^3 = 0.675. The tolerance is three times the error of random points,
+// sqrt(0.675 * 0.325 / 4096); the points of a low-discrepancy sequence are more accurate.
 TEST(TestOutside, AShapeCountsByItsVolume)
 {
   constexpr double radius = 0.8, share = 0.675, tolerance = 0.022;
