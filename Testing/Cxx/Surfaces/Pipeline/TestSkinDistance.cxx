@@ -49,8 +49,8 @@ std::unique_ptr<NarrowBand> MakeGrownBall()
   return band;
 }
 
-// A ball that shrinks by tension only. Tension does not correct slopes: the slope is r / r0 = 0.55
-// / 0.7.
+// A ball that shrinks by tension from r0 = 0.7 to r = 0.55. Tension does not correct slopes: the
+// slope is r / r0.
 std::unique_ptr<NarrowBand> MakeShrunkBall()
 {
   auto band = std::make_unique<NarrowBand>(H);

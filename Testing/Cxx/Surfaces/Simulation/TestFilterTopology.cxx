@@ -71,8 +71,7 @@ std::string GetTopologyOf(const Formula& formula)
 }
 
 // Expected topology at each step. The string is empty next to an event, where the lag and the
-// lattice decide. At all other steps an event is at least one step away: 50 times the lag of 1 /
-// Attraction.
+// lattice decide. At all other steps an event is at least one step away, which is 50 times the lag.
 std::vector<std::string> GetExpected(const Scene& scene)
 {
   std::vector<std::string> all;
@@ -199,7 +198,7 @@ Scene MakeScene(const Cloud& cloud, int lastStep, const std::string& story)
   return { [cloud](double time) { return MakeBlobs(cloud(time)); }, inside, lastStep, story };
 }
 
-// Seven particles that form a ball of radius about 0.3, times a scale.
+// Seven particles that form a ball of radius about 0.32, times a scale.
 void AddBall(std::vector<Blob>& blobs, const Point& centre, double scale)
 {
   blobs.push_back({ centre, 0.4 * scale });

@@ -114,9 +114,9 @@ TEST(TestMotionProperties, TargetVolumeAndAreaAreHeld)
   IsHeld(area, "Area", 3.0);
 }
 
-// The missing share e solves e (1 - e)^(1/3) = 2 b / (g r0) for the volume, and e (1 - e)^(1/2) = 2
-// b / (g r0) for the area, with tension b, stiffness g and the radius r0 at the start. Tolerance 1
-// % as in TestControls.
+// The missing share e of the volume solves e (1 - e)^(1/3) = c, and that of the area e (1 -
+// e)^(1/2) = c. Here c = 2 b / (g r0), with the tension b, the stiffness g and the radius r0 at the
+// start. The tolerance of 1 % is that of TestControls.
 TEST(TestMotionProperties, PenaltiesLeaveTheirOffsets)
 {
   constexpr double stiffness = 100.0;
