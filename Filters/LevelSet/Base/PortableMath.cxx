@@ -45,22 +45,4 @@ double ExponentialMinusOne(double x)
   return std::fabs(x) <= Short ? SumSeries(x) : Exponential(x) - 1.0;
 }
 
-double CubeRoot(double x)
-{
-  if (x == 0.0 || !std::isfinite(x))
-  {
-    return x;
-  }
-  int exponent = 0;
-  const double fraction = std::frexp(std::fabs(x), &exponent);
-  const int whole = static_cast<int>(std::floor(exponent / 3.0));
-  const double part = std::ldexp(fraction, exponent - 3 * whole); // in [1/2, 4)
-  double root = .65 + .26 * part;                                 // accurate to 10 %
-  for (int n = 0; n < 5; ++n)
-  {
-    root -= (root - part / (root * root)) / 3.0; // Newton's method
-  }
-  return std::copysign(std::ldexp(root, whole), x);
-}
-
 }

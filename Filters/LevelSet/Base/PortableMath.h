@@ -1,5 +1,5 @@
 /**
- * Exponentials and roots by exactly rounded operations only, so results are bitwise identical on
+ * Exponentials by exactly rounded operations only, so results are bitwise identical on
  * all processors. The results of C libraries depend on the processor's instructions and on the
  * release of the library: in one of a thousand calls the last bit differs.
  */
@@ -16,9 +16,6 @@ ACTIVELEVELSET_EXPORT double Exponential(double x);
 
 /** Returns e^x - 1 with a relative error of 1e-15, even near 0. */
 ACTIVELEVELSET_EXPORT double ExponentialMinusOne(double x);
-
-/** Returns the cube root with a relative error of 1e-15. */
-ACTIVELEVELSET_EXPORT double CubeRoot(double x);
 
 }
 

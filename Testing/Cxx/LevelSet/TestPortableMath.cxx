@@ -1,4 +1,4 @@
-// Exponentials and cube roots are accurate, and bitwise identical on any processor.
+// Exponentials are accurate, and bitwise identical on any processor.
 
 #include "Base/PortableMath.h"
 
@@ -64,29 +64,11 @@ TEST(TestPortableMath, ExponentialsAreRight)
   EXPECT_TRUE(std::isnan(Exponential(std::nan(""))));
 }
 
-TEST(TestPortableMath, CubeRootsAreRight)
-{
-  for (const double largest : { 1e-300, 1.0, 1e300 })
-  {
-    ForNumbersTo(largest,
-      [](double x)
-      {
-        const double root = x == 0.0 ? 1.0 : CubeRoot(x) / std::cbrt(x);
-        ASSERT_NEAR(root, 1.0, 1e-15) << x;
-      });
-  }
-  EXPECT_EQ(CubeRoot(0.0), 0.0);
-  EXPECT_EQ(CubeRoot(27.0), 3.0);
-  EXPECT_EQ(CubeRoot(Infinity), Infinity);
-  EXPECT_TRUE(std::isnan(CubeRoot(std::nan(""))));
-}
-
 // Results of a C library would differ.
 TEST(TestPortableMath, BitsAreTheSameEverywhere)
 {
   EXPECT_EQ(HashOf(Exponential, 700.0), 8592372845995784326u);
   EXPECT_EQ(HashOf(ExponentialMinusOne, 700.0), 16780259053720530470u);
-  EXPECT_EQ(HashOf(CubeRoot, 1e10), 6669728769142850647u);
 }
 
 }
