@@ -51,8 +51,7 @@ void FileReplacement::Finish()
   if (error)
   {
     throw std::runtime_error(
-      "the temporary file cannot be renamed to the file's name (check the folder's permissions): " +
-      error.message());
+      "it was written under a temporary name and cannot be renamed: " + error.message());
   }
   this->Finished = true;
 }
