@@ -82,7 +82,8 @@ def colored(actor, array):
 def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor=None):
     """Writes rows of frames, a frame being a list of actors, seen by one camera that fits all.
 
-    view points from the scene to the camera; floor is the height y of a floor, None for no floor.
+    `view` is the direction from the scene to the camera. `floor` is the height y of a floor; None:
+    no floor.
     """
     actors = [actor for row in rows for frame in row for actor in frame]
     camera, aspect = _camera_that_fits(actors, view)

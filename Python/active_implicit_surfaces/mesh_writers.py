@@ -100,7 +100,7 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         near = _rounding(points_of(mesh) - origin_for_floats(mesh)) <= _ROUNDING * edge
-        hint = f", or, as a {suffix}, data near the origin" if near else ""
+        hint = f", or move the data near the origin before writing a {suffix}" if near else ""
         warn(
             f"A {suffix} file rounds points to single precision, by up to {rounding:.2g} here, "
             f"where edges are about {edge:.2g} long; write .ply, .obj or .vtp{hint}."

@@ -51,7 +51,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     if proxy is None or proxy.GetXMLName() != "ActiveImplicitSurface":
         raise ValueError(
             "The source is no Active Implicit Surface; select one over particles in the Pipeline "
-            "Browser, or give one as surface."
+            "Browser or, in a script, give one by surface=."
         )
     target = proxy.Input
     times = [float(time) for time in proxy.TimestepValues] or [0.0]

@@ -76,7 +76,7 @@ class ActiveSurfaceAccessor:
         Returns
         -------
         morph
-            Yields a Frame, `time` and `skin` (a pyvista.PolyData), for each of the frames.
+            Yields for each frame a named tuple Frame(`time`, `skin`); `skin` is a pyvista.PolyData.
 
         Examples
         --------

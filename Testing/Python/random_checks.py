@@ -244,8 +244,8 @@ class Case:
         assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
 
     def check_time(self, time):
-        """Checks that the skin has the requested time, moved into the range, or the time of a step
-        nearer than 1e-6 of an interval."""
+        """Checks the skin's time: the requested time, limited to the range of the steps. If a step
+        is nearer than 1e-6 of an interval, the skin has the time of this step."""
         information = self.surface.GetOutput().GetInformation()
         key = self.surface.GetOutput().DATA_TIME_STEP()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())

@@ -63,7 +63,7 @@ class Files(CommandTest):
     def test_a_stl_says_it(self):
         said, path = self.write(".stl")
         self.assertIn("A .stl file rounds points to single precision, by up to", said)
-        self.assertIn("or, as a .stl, data near the origin.", said)
+        self.assertIn("or move the data near the origin before writing a .stl.", said)
         with self.assertWarnsRegex(ActiveSurfaceWarning, "steps of up to 0.5 here, where edges"):
             read_shape(path)
 

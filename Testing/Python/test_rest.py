@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""EQUILIBRIUM ends over masks and distances with edges too, with a warning if more than 5 % of the
-skin oscillates. A slow motion does not end EQUILIBRIUM."""
+"""EQUILIBRIUM also ends over masks, and over distances to shapes with edges, with a warning if more
+than 5 % of the skin oscillates. A slow motion does not end EQUILIBRIUM."""
 
 import unittest
 

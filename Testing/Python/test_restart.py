@@ -184,8 +184,9 @@ CASES = {
 
 
 def cases_of(row):
-    """(scene, another value) for a property: particles for the group Particles, else a morph,
-    with the values of other properties that the property needs."""
+    """Returns pairs (scene, another value) for a property. Without an entry in CASES, the scene is
+    of particles (group Particles) or a morph, with values of other properties that this property
+    needs."""
     if row.name in CASES:
         return CASES[row.name]
     plain = particles if row.group == "Particles" else morph

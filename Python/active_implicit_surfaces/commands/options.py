@@ -195,8 +195,8 @@ def add_up_option(group: Any, default: str, where: str) -> None:
     group.add_argument(
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
-        metavar="AXIS",
-        help=f"up axis {where}: x, y, z or --up=-y (default: {default})",
+        metavar="[-]x|y|z",
+        help=f"up axis {where}; negative: --up=-y (default: {default})",
     )
 
 

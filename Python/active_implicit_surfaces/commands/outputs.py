@@ -74,9 +74,10 @@ class Outputs:
     """File names of a run's outputs, and the sinks that write them.
 
     Attributes:
-    - output (Path or None): name of the skins.
-    - names (list of Path): file of each frame; empty before plan(), without -o, and for one .usdc
-      or .usda.
+    - output (Path or None): name of the skins, by -o or the default; None if only --render is
+      given.
+    - names (list of Path): file of each frame; empty before plan(), if output is None, and for one
+      .usdc or .usda.
     """
 
     def __init__(self, parser: Parser, options: Any) -> None:
