@@ -65,7 +65,7 @@ endif ()
 if (NOT EXISTS "${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
   message(FATAL_ERROR
     "ACTIVE_NUMERICS is ${ACTIVE_NUMERICS}, which is no configured build folder of this project. "
-    "Configure that one first, or leave ACTIVE_NUMERICS empty.")
+    "Configure the numerics in this folder first, or leave ACTIVE_NUMERICS empty.")
 endif ()
 include("${ACTIVE_NUMERICS}/ActiveNumerics.cmake")
 # Builds the numerics first; otherwise an edit of the numerics would not reach this build.

@@ -51,7 +51,7 @@ void FileReplacement::Finish()
   if (error)
   {
     throw std::runtime_error(
-      "it was written under a temporary name and cannot be renamed: " + error.message());
+      "the temporary file with the data cannot be renamed to this name: " + error.message());
   }
   this->Finished = true;
 }

@@ -208,9 +208,10 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   }
   if (!grid.IsKnown)
   {
-    throw std::runtime_error("its grid " + grid.Name + " has an unsupported type (" + grid.Type +
-      ") or a transform that is not linear, and cannot be skipped because the file has no offsets; "
-      "remove the grid from the file");
+    throw std::runtime_error("its grid " + grid.Name + " has a type (" + grid.Type +
+      ") that is not supported in a file of this version, or a transform that is not linear. The "
+      "grid cannot be skipped, because the file has no offsets of grids; remove the grid from the "
+      "file");
   }
   this->ValidateTree(grid, metadata);
 }

@@ -245,8 +245,8 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
   if (!none && (width < 1 || height < 1 || width > largest || height > largest))
   {
     throw FileError(vtkErrorCode::UserError,
-      "DisplaySize " + std::to_string(width) + ", " + std::to_string(height) +
-        " has to be 0, 0 or two numbers from 1 to 16777216.");
+      "DisplaySize is (" + std::to_string(width) + ", " + std::to_string(height) +
+        "), but has to be (0, 0), the image's size, or two numbers from 1 to 16777216.");
   }
 }
 

@@ -136,8 +136,8 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
   if (channels.empty())
   {
     throw FileError(vtkErrorCode::UserError,
-      "the selected Part has none of the enabled channels; enable its channels, or set a Part that "
-      "has them");
+      "the selected part has none of the enabled channels; enable channels of this part by "
+      "EnableChannel, or set Part to a part that has enabled channels");
   }
   return GroupChannels(channels);
 }

@@ -319,8 +319,8 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
     {
       Refuse("Channel " + request.Channel + " asks for component " +
         std::to_string(request.Component) + " of point array \"" + request.Array +
-        "\", but the input has no numeric array of this name, or no such component; call "
-        "ClearChannels, then AddChannel with arrays and components of the input.");
+        "\", but the input has no numeric point array of this name, or the array has no such "
+        "component; call ClearChannels, then AddChannel with arrays and components of the input.");
     }
     sources.push_back(MakeSource(array, request.Component, request.Channel, choices));
   }

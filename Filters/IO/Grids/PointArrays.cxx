@@ -67,7 +67,8 @@ Leaves CollectLeaves(const PointDataGrid& grid, std::int64_t maximum, std::int64
   if (count > maximum)
   {
     throw std::runtime_error("The grid has " + std::to_string(count) +
-      " points, more than MaximumNumberOfPoints (" + std::to_string(maximum) + "); raise it.");
+      " points, more than MaximumNumberOfPoints (" + std::to_string(maximum) +
+      "); raise the limit.");
   }
   return leaves;
 }
