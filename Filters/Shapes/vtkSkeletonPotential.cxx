@@ -175,7 +175,8 @@ void vtkSkeletonPotential::ReadElements()
                     << (isOne ? " point or segment is" : " points or segments are")
                     << " ignored: a coordinate, a radius or a strength "
                        "is not finite, a radius is not positive, a number is too large or too "
-                       "small, or a point does not exist. Correct or remove these elements.");
+                       "small, or a cell has a point that does not exist. Correct or remove these "
+                       "elements.");
   }
 }
 

@@ -61,8 +61,8 @@ std::string ListArrays(vtkPointData* arrays)
   }
   return names.empty()
     ? "the input has no point arrays with names; add the array"
-    : "choose association 0 (points) and one of the input's point arrays (of blocks: arrays common "
-      "to all): " +
+    : "choose association 0 (points) and one of the input's point arrays (if the input has blocks: "
+      "arrays of all blocks): " +
       names;
 }
 

@@ -109,9 +109,9 @@ std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   if (!mayGoBack)
   {
     throw std::runtime_error("The time step " + Format(time) +
-      " of the input is needed again, but the input provides each time step once "
+      " of the input is needed again, but the input provides each time step only once "
       "(NO_PRIOR_TEMPORAL_ACCESS). Request times in ascending order, and do not change a property "
-      "that restarts the motion; or, for earlier time steps, set CheckpointInterval to 1, raise "
+      "that restarts the motion. To request earlier times, set CheckpointInterval to 1, raise "
       "CheckpointMemory, and turn ComputeVelocity and PassTargetArrays off.");
   }
   this->LastUpdateFailed = true;

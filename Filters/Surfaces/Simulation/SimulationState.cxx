@@ -123,8 +123,7 @@ void SurfaceSimulation::RestoreLoaded()
     throw std::invalid_argument(
       "The loaded state does not fit this surface: the first time, TimeScale, VoxelSize or the "
       "position of the data differs, or the state's time is not a time step. Set the properties "
-      "and "
-      "the input with which the state was saved.");
+      "and the input with which the state was saved.");
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);

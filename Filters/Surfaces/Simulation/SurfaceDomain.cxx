@@ -179,9 +179,9 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
   if (!(shapes.GetMaxLength() > 0.0))
   {
     throw std::invalid_argument(
-      "The target, and the initial shape if there is one, is a single point: an image has one "
-      "pixel or too small a Spacing, corners of a mesh coincide, or points are so far from the "
-      "origin that they are equal in double precision. Correct or move the input.");
+      "The target is a single point, and so is the initial shape, if there is one. Causes: an "
+      "image has one pixel or too small a Spacing, all corners of a mesh coincide, or points are "
+      "so far from the origin that they are equal in double precision. Correct or move the input.");
   }
   double bounds[6];
   shapes.GetBounds(bounds);

@@ -131,8 +131,8 @@ std::string SkeletonShape::Prepare(const TargetOptions& options, const Warnings&
                       : std::to_string(ignored) +
       (ignored == 1 ? " point or segment is" : " points or segments are") +
       " left out because a coordinate, radius or strength is not within "
-      "+-1e100, a radius is below 1e-100, or a point does not exist. Correct or remove these "
-      "elements.";
+      "+-1e100, a radius is below 1e-100, or a cell has a point that does not exist. Correct or "
+      "remove these elements.";
 }
 
 void SkeletonShape::MoveBy(const double offset[3])

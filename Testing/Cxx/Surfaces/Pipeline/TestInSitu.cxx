@@ -286,7 +286,7 @@ TEST(TestInSitu, NoPriorAccessIsObeyed)
       filter->UpdateTimeStep(AllSteps[2]);
       EXPECT_TRUE(GetAllBytes(filter) == expected[2]) << "back to a checkpoint";
       filter->UpdateTimeStep(AllSteps[1]);
-      EXPECT_EQ(MessageCapture::Count(messages.Errors, "provides each time step once"), 1)
+      EXPECT_EQ(MessageCapture::Count(messages.Errors, "provides each time step only once"), 1)
         << "errors";
       EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points then";
     }
