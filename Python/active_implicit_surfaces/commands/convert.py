@@ -149,8 +149,8 @@ def make_parser() -> Parser:
         "--level",
         type=float,
         metavar="X",
-        help="value at the surface of an image (default: in a .vdb 0 of a level set, else 0.5; in "
-        "other files 0.5 of fractions, the middle of a mask's two values, else 0)",
+        help="value at the surface of an image (default: in a .vdb 0 of a level set, 0.5 of a fog "
+        "or of values >= 0; otherwise 0.5 of fractions, the middle of a mask's two values, else 0)",
     )
     add_choice_options(parser)
     add_up_option(parser, "estimated; y in USD", "in a .glb or USD")
