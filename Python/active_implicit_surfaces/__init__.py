@@ -29,9 +29,10 @@ try:
     import vtkmodules.vtkIOImage  # noqa: F401
 except ImportError as error:
     raise ImportError(
-        "active_implicit_surfaces needs VTK's Python modules, vtkmodules, for this Python; install "
-        "them (the package cvista: pip install pyvista[cvista]; PyPI's VTK: pip install vtk; "
-        f"Debian's VTK: python3-vtk9, then run /usr/bin/python3). The cause was: {error}"
+        "active_implicit_surfaces needs VTK's Python modules, vtkmodules, for this Python. Install "
+        "the VTK that active_implicit_surfaces was built with: cvista by pip install "
+        "'pyvista[cvista]', PyPI's VTK by pip install vtk, or Debian's VTK by apt install "
+        f"python3-vtk9 (then run /usr/bin/python3). The cause was: {error}"
     ) from error
 
 vtk_build.check()

@@ -206,7 +206,7 @@ class frames(Skins):
         is_source = isinstance(particles, TemporalSource)
         of_series = times is not None or fps is not None or where
         if isinstance(particles, ParticleSeries) and of_series:
-            raise ValueError("Give times, fps and where to the ParticleSeries, not to frames.")
+            raise ValueError("Give `times`, `fps` and `where` to ParticleSeries, not to `frames`.")
         options = properties.given(options)
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
@@ -219,7 +219,7 @@ class frames(Skins):
             minimum_piece = self.source.leave_out_pieces(minimum_piece, minimum_volume, spacing)
         if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
             conditions = where if isinstance(where, str) else " and ".join(where)
-            fault = f"No particle of any frame meets {conditions}"
+            fault = f"No frame has particles that meet {conditions}"
             fault = fault if conditions else "No frame has particles"
             more = f" in a cluster of {minimum_piece} or more" if minimum_piece > 1 else ""
             raise ValueError(f"{fault}{more}; relax the selection, or give more particles.")
@@ -262,12 +262,14 @@ def configure(
     _check_names(chosen)
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
-        raise TypeError(f"The keys of arrays are {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
+        raise TypeError(f"The keys of `arrays` are {', '.join(_ARRAYS)}, not {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
     frames = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
     if preset is not None and first.IsA("vtkImageData"):
-        raise ValueError(f"The preset {preset} needs particles, not an image; leave preset out.")
+        raise ValueError(
+            f"The preset {preset} needs particles, not an image; leave out the preset."
+        )
     if "ids" not in chosen:
         filled = [frame for frame in frames if frame.GetNumberOfPoints()]
         found = {usual_ids(frame) for frame in filled or [first]}
@@ -320,8 +322,8 @@ def _check_names(chosen: dict[str, Any]) -> None:
     for role, name in chosen.items():
         if name is not None and not isinstance(name, str):
             raise TypeError(
-                f"In arrays, {role} is an object of type {type(name).__name__}, but has to be the "
-                "name of a point array; add the array to the particles."
+                f"In `arrays`, `{role}` is an object of type {type(name).__name__}, but has to be "
+                "the name of a point array; add the array to the particles, and give its name."
             )
 
 

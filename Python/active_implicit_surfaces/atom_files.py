@@ -38,8 +38,8 @@ def read_molecule(lines: list[str]) -> Frames:
             continue
         if not re.fullmatch(r"\s*\d+\s*", lines[place]):
             raise ValueError(
-                f"line {place + 1} is not the number of atoms of a frame; correct it, or the "
-                "number of the frame before it"
+                f"line {place + 1} is not the number of atoms of a frame; correct this line, or "
+                "the number of atoms of the frame before"
             )
         count = int(lines[place])
         comment = lines[place + 1] if place + 1 < len(lines) else ""
@@ -58,7 +58,9 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
     width = max(first + size for _, _, first, size in columns)
     if len(rows) < count:
-        raise ValueError(f"it ends before the {count} atoms of line {place + 1}; write it again")
+        raise ValueError(
+            f"it has fewer atoms than the {count} that line {place + 1} declares; write it again"
+        )
     short = next((i for i, row in enumerate(rows) if len(row) < width), None)
     if short is not None:
         raise ValueError(
@@ -254,13 +256,13 @@ def read_gro(path: Path) -> Frames:
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
         if not re.fullmatch(r"\s*\d+\s*", "".join(lines[place + 1 : place + 2])):
-            other = ", or the number of the frame before it" if frames else ""
+            other = ", or the number of atoms of the frame before" if frames else ""
             raise ValueError(f"line {place + 2} is not the number of atoms; correct it{other}")
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
             raise ValueError(
-                f"it ends before the {lines[place + 1].strip()} atoms of line {place + 2} or their "
-                "box; write it again"
+                f"it ends before the {lines[place + 1].strip()} atoms that line {place + 2} "
+                "declares, or before their box; write it again"
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1][FIELD] = _edges_of(lines[end])
@@ -324,7 +326,7 @@ def read_pdb(path: Path) -> Frames:
         elif line.startswith("CRYST1"):
             field = _cell_of(_numbers_in({place: line}, _CELL)[0])
     if not models[0]:
-        raise ValueError("it has no ATOM or HETATM; choose a file with atoms")
+        raise ValueError("it has no ATOM or HETATM line; choose a file with atoms")
     frames = [{**_read_pdb_frame(lines), FIELD: field} for lines in models if lines]
     add_elements(frames, are_names=True)
     return frames, None

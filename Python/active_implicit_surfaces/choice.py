@@ -62,7 +62,7 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
         if form is None or not values or (is_order and (len(values) > 1 or not _number(values[0]))):
             raise ValueError(
                 f"{text!r} is no condition. A condition compares one array with numbers or texts: "
-                "NAME=1, NAME=Na,Cl, NAME!=1, NAME<1, NAME>=1. Give several conditions one by one."
+                "NAME=1, NAME=Na,Cl, NAME!=1, NAME<1, NAME>=1. Give each condition separately."
             )
         found.append(Condition(form["name"].strip(), form["sign"], values))
     return found
@@ -121,8 +121,8 @@ def choose(
             return data
         if not data.IsA("vtkPointSet"):
             raise ValueError(
-                "Conditions select particles or polygons, not voxels; leave them out, or choose a "
-                "label of the image by active-surface --label."
+                "Conditions select particles or polygons, not voxels; leave the conditions out, or "
+                "choose a label of the image by the option --label of active-surface."
             )
         values, is_of_cells = _values_of(data, condition.name)
         chosen = _meets(values, condition, note)
@@ -234,11 +234,13 @@ def labels_of(data: Any) -> list[int]:
     if values.dtype.kind == "U":
         raise ValueError("There are no labels: the values are texts; select by --where NAME=TEXT.")
     if not are_whole(values):
-        raise ValueError("There are no labels: the values are not whole numbers; leave label out.")
+        raise ValueError(
+            "There are no labels: not all values are whole numbers; leave out --label."
+        )
     if len(values) > _MOST_LABELS:
         raise ValueError(
             f"The array has {len(values)} different values, more than {_MOST_LABELS}, so labels "
-            "are not listed; give a label that the array has, or leave label out."
+            "are not listed; give a label that the array has, or leave out --label."
         )
     return [int(value) for value in values if value != 0 or not data.IsA("vtkImageData")]
 

@@ -115,7 +115,7 @@ class Conditions(unittest.TestCase):
         for where, count in ((iter(["kind=1"]), 62), (None, 125)):
             series = active.ParticleSeries(frames, where=where)
             self.assertEqual(series.frame(1).GetNumberOfPoints(), count)
-        with self.assertRaisesRegex(ValueError, "No particle of any frame meets kind=7"):
+        with self.assertRaisesRegex(ValueError, "No frame has particles that meet kind=7"):
             active.frames(frames, where="kind=7")
         points = [numpy.vstack([grid(), grid(2) + 3]) + 0.02 * step for step in range(3)]
         way = active.frames(points, fps=10, output_fps=40, minimum_piece=9, particle_spacing=0.1)
@@ -214,7 +214,7 @@ class Labels(CommandTest):
         write(vtkXMLImageDataWriter(), image_of(values), self.folder / "far.vti")
         self.assertNotIn("labels", json.loads(self.succeed("info", "far.vti", "--json").out))
         said = self.fail_with(1, "convert", "far.vti", "--label", "all", "-o", "f_#.ply")
-        self.assertIn("the values are not whole numbers", said)
+        self.assertIn("not all values are whole numbers", said)
 
     def test_skins_of_particles(self):
         points = numpy.vstack([grid(), grid(4) + 2])
@@ -282,7 +282,7 @@ class Programs(CommandTest):
         said = self.fail_with(1, "skin", "p_10.npz", "--where", "Type=4")
         self.assertIn("There is no Type=4; Type is 1, 2.", said)
         said = self.fail_with(1, "skin", "p_*.npz", "--where", "Type=4")
-        self.assertIn("No particle of any frame meets Type=4;", said)
+        self.assertIn("No frame has particles that meet Type=4;", said)
 
     def test_frames_and_frames_in_between(self):
         self.succeed("skin", "p_*.npz", "--frames", "11:15:2", "-o", "s_##.ply", *QUIET)

@@ -133,7 +133,7 @@ class Data(CommandTest):
         self.assert_skin_fails('line 3 has "b"', self.put("a.csv", "x,y,z\n1,2,3\n1,b,3\n"))
         self.assert_skin_fails("2 column(s)", self.put("a.xyz", "1 2\n3 4\n"))
         self.assert_skin_fails(
-            "ends before the 3 atoms of line 1;", self.put("a.xyz", "3\n\nH 0 0 0\n")
+            "fewer atoms than the 3 that line 1 declares;", self.put("a.xyz", "3\n\nH 0 0 0\n")
         )
         self.assert_skin_fails("need the shape (n, 3)", self.put("a.json", "[[1, 2], [3, 4]]"))
         self.assert_skin_fails("rows of different", self.put("a.json", "[[1, 2, 3], [4, 5]]"))

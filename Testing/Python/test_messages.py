@@ -79,7 +79,7 @@ class Keywords(unittest.TestCase):
     def test_arrays(self):
         values = {"radii": numpy.ones(125)}
         for more in ({}, {"probe": 1.0}):
-            words = "In arrays, radii is an object of type ndarray"
+            words = "In `arrays`, `radii` is an object of type ndarray"
             self.assert_fails(TypeError, words, active.frames, [grid()], arrays=values, **more)
         cloud = as_particles(grid(), v=numpy.ones((125, 3)))
         chosen = {"arrays": {"radii": "v"}, "probe": 1.0}

@@ -159,7 +159,7 @@ class Atoms(ReaderTest):
         self.assertFalse(cloud.GetPointData().HasArray("Velocity"))
         self.assertEqual(field_of(cloud, "Lattice").diagonal().tolist(), [40000, 40000, 1.8206])
         for words, wrong in (
-            ("ends before the 3 atoms of line 2 or their box", text[:150]),
+            ("ends before the 3 atoms that line 2 declares, or before their box", text[:150]),
             ("line 2 is not the number of atoms", "a\nb\n"),
             ('x   1.82060", not 3 or 9 numbers', text.replace("0   1.82060   1", "0   x   1")),
             ('"1.82060", not 3 or 9 numbers', text.replace("1.82060   1.82060   ", "")),

@@ -142,7 +142,7 @@ class Choices(unittest.TestCase):
         self.assertEqual(way.source.frame(1).GetNumberOfPoints(), 42)
         with (
             self.assertWarnsRegex(ActiveSurfaceWarning, "In a frame: there is no Type=K; Type is"),
-            self.assertRaisesRegex(ValueError, "No particle of any frame meets Type=K"),
+            self.assertRaisesRegex(ValueError, "No frame has particles that meet Type=K"),
         ):
             active.frames(clouds, where="Type=K")
 
