@@ -67,8 +67,8 @@ def _check_size(reader: Any, size: int) -> None:
     needed = count * width * reader.GetNumberOfScalarComponents()
     if not 0 < needed <= size:
         raise ValueError(
-            f"its header describes {needed} bytes of values, but there are at most {size}; write "
-            "it again"
+            f"its header describes {needed} bytes of values, but the number has to be from 1 to "
+            f"{size}, the size of the data; write it again"
         )
 
 
@@ -108,9 +108,9 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
     if fields.get("encoding", "").lower() in ("gz", "gzip"):
         body, fields["encoding"] = gzip.decompress(body), "raw"
     if is_meta and not {"NDims", "DimSize", "ElementType"} <= fields.keys():
-        raise ValueError("it lacks NDims, DimSize or ElementType")
+        raise ValueError("its header lacks NDims, DimSize or ElementType; write it again")
     if fields.get("encoding", "raw").lower() != "raw":
-        raise ValueError(f"its encoding is {fields['encoding']}; write it as raw or gzip")
+        raise ValueError(f"its encoding is {fields['encoding']}; write the values as raw or gzip")
     if fields.get("CompressedData", "").lower() == "true":
         body = zlib.decompressobj(wbits=47).decompress(body)
     return fields, body[max(0, int(fields.get("byte skip", 0))) :]
@@ -123,8 +123,9 @@ def _read_nrrd(
     sizes = fields["sizes"].split()
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(
-            f"its {len(values)} bytes of values are too few for {' x '.join(sizes)} values, or it "
-            "does not have three axes of points; write a complete image of three axes"
+            "it does not have three axes of at least one point each, or its "
+            f"{len(values)} bytes of values are too few for {' x '.join(sizes)} values; write a "
+            "complete image of three axes"
         )
     lines = [f"{name}: {fields.get(name, 'little')}" for name in ("type", "endian", "encoding")]
     lines = ["NRRD0004", *lines, "dimension: 4", f"sizes: {' '.join(['1', *sizes][-4:])}", "", ""]
@@ -158,8 +159,8 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
         warn(
-            f"{path}: the image is rotated by other than right angles, or sheared, which is "
-            "ignored. Resample the image along the axes."
+            f"{path}: the image is sheared, or rotated by an angle that is no multiple of 90 "
+            "degrees. The shear or rotation is ignored; resample the image along x, y and z."
         )
     elif (order != (0, 1, 2)).any() or (signs < 0).any():
         _move_rows(image, order.tolist(), signs)
