@@ -61,7 +61,7 @@ class Usage(CommandTest):
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
             "'Type' is no condition": ["skin", DROP, "--where", "Type"],
-            "--index has to be a .pvd": ["skin", DROP, "--index", "a.txt"],
+            "--index has to be none": ["skin", DROP, "--index", "a.txt"],
             "a film cannot be resumed": ["skin", DROP, "--resume", "--render", "a.ogv"],
             "the following arguments are required": ["morph", "a.stl"],
             "--frames has to be 2 or more": ["morph", "a.stl", "b.stl", "--frames", 1],

@@ -226,7 +226,7 @@ class GoingOn(CommandTest):
         (self.folder / "p3.npy").write_bytes(self.fourth)
         (self.folder / "p1.npy").write_bytes(self.fourth)
         said = self.fail_with(1, *self.command, "--resume")
-        self.assertIn("p1.npy has changed since", said)
+        self.assertIn("p1.npy has since changed", said)
 
     def test_another_file_in_between_is_told(self):
         self.fail_with(1, *self.command)

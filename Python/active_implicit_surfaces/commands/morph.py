@@ -36,7 +36,7 @@ def run(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
     if options.frames < 2:
-        parser.error("--frames has to be 2 or more: the first and the last shape")
+        parser.error("--frames has to be 2 or more, because it counts the first and the last skin")
     options.files = [Path(name).expanduser() for name in (options.first, options.last)]
     shapes = [read_shape(file) for file in options.files]
     for own in each_label(options, lambda: labels_of(shapes[0]), True, _DEFAULT):
@@ -93,7 +93,7 @@ def make_parser() -> Parser:
         nargs="?",
         const="box",
         default="none",
-        help="move LAST to FIRST: centre, or box, which also scales (default: none)",
+        help="move LAST to FIRST; box (bare --fit) also scales LAST (default: none)",
     )
     add_choice_options(parser, "FIRST")
     add_property_options(parser, ("voxel_size", "tension"))

@@ -204,7 +204,10 @@ def picture_size(text: str) -> tuple[int, int]:
     """Parses a size [pixels] such as 640x360."""
     parts = text.lower().split("x")
     if len(parts) != 2 or not all(part.isdigit() and 16 <= int(part) <= 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720 [16 to 16384 pixels]")
+        raise argparse.ArgumentTypeError(
+            f"{text} is no size from 16x16 to 16384x16384 pixels; write WIDTHxHEIGHT, such as "
+            "1280x720"
+        )
     return int(parts[0]), int(parts[1])
 
 
@@ -230,8 +233,8 @@ def condition(text: str) -> str:
         conditions(text)
     except ValueError:
         raise argparse.ArgumentTypeError(
-            f"{text!r} is no condition; write NAME=1, NAME=Na,Cl, NAME!=1, NAME<1 or NAME>=1, one "
-            "for each --where"
+            f"{text!r} is no condition; write NAME=1, NAME=Na,Cl, NAME!=1, NAME<1 or NAME>=1, and "
+            "give each condition its own --where"
         ) from None
     return text
 

@@ -30,8 +30,8 @@ def add_output_options(parser: Parser, default: str) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help=f"files of skins, #### is the frame number: {', '.join(SKIN_SUFFIXES)}; or all "
-        f"frames in one .usdc, .usda (default: {default}; none if only --render is given)",
+        help=f"files of skins (#### is the frame number): {', '.join(SKIN_SUFFIXES)}; or one "
+        f"file of all frames: .usdc, .usda (default: {default}; with --render: none)",
     )
     parser.add_argument(
         "--render",
@@ -56,9 +56,9 @@ def each_label(
     labels = find() if options.labels == "all" else options.labels
     if not labels:
         raise OSError(
-            "--label all has found no label; it searches the first file (skin: the first, middle "
-            "and last frame), and 0 in an image is no label. Choose other files, or, in skin, give "
-            "numbers, as --label 3."
+            "--label all has found no label. active-surface skin searches the first, middle and "
+            "last frame, convert the first frame, and morph the file FIRST. The value 0 in an "
+            "image is no label. Choose other files, or, in skin, give numbers, such as --label 3."
         )
     for label in labels:
         own = Namespace(**vars(options), label=label)
@@ -92,7 +92,8 @@ class Outputs:
         if self.is_usd and (index or getattr(options, "resume", False)):
             option = "--index" if index else "--resume"
             parser.error(
-                f"{option} has no effect on {self.output}, one file of all frames; leave it out"
+                f"{option} has no effect on {self.output}, one file of all frames; leave out "
+                f"{option}"
             )
         try:
             if self.output:
@@ -108,7 +109,9 @@ class Outputs:
         except ValueError as error:
             parser.error(str(error))
         if index not in (None, "none") and suffix_of(index) not in INDEX_SUFFIXES:
-            parser.error(f"--index has to be a .pvd, a .series or none, not {index}")
+            parser.error(
+                f"--index has to be none, or a name with extension .pvd or .series, not {index}"
+            )
 
     def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
         """Chooses the names of the numbered frames, and makes the folders of all outputs."""

@@ -141,7 +141,7 @@ class Resumption(Sink):
     def _compare_files(self, then: list[list[Any]]) -> None:
         for before, now in zip(then, self._marks(len(then))):
             if before != now:
-                what = "has changed since" if before[0] == now[0] else f"is in place of {before[0]}"
+                what = "has since changed" if before[0] == now[0] else f"is in place of {before[0]}"
                 raise ValueError(
                     f"The skins so far were made from other files: {now[0]} {what}; run without "
                     "--resume to make all skins again."

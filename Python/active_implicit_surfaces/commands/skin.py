@@ -174,7 +174,9 @@ def make_parser() -> Parser:
     more = parser.add_argument_group("more")
     more.add_argument("--resume", action="store_true", help="continue an interrupted run")
     more.add_argument(
-        "--index", metavar="NAME", help="name of the .pvd or .series of the skins, or none"
+        "--index",
+        metavar="NAME",
+        help="name of the .pvd or .series that lists the skins; none: no list",
     )
     more.add_argument(
         "--history", metavar="NAME", help="write a .csv of volume, area, pieces, events ..."
@@ -193,7 +195,7 @@ def _add_input_options(parser: Parser) -> None:
         "--fps",
         type=positive,
         metavar="X",
-        help="frames per second (default: times in the files, or 25)",
+        help="frames per second (default: times in the files, else 25)",
     )
     add_choice_options(files, "the first, middle and last frame")
     told = "omit clusters of fewer than N particles; or --minimum-volume X"
