@@ -171,7 +171,7 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
     if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):
         raise OSError(
             f"{folder} cannot be read: the folder has several series, {', '.join(sorted(series))}; "
-            f"choose one, as {folder / min(series)}."
+            f"choose one, such as {folder / min(series)}."
         )
     return sorted(found, key=lambda path: natural_key(path.name, numbers))
 
@@ -194,8 +194,8 @@ def read_index(index: Path) -> Listing:
     except (KeyError, TypeError) as error:
         raise OSError(
             f"{index} is no index of a series of files: it needs "
-            f"{'a file' if suffix_of(index) == '.pvd' else 'files, and a name and time'} "
-            "in each entry; correct it."
+            f"{'`file`' if suffix_of(index) == '.pvd' else 'a list `files`, and `name` and `time`'}"
+            " in each entry; correct it."
         ) from error
     except (ValueError, ElementTree.ParseError) as error:
         raise OSError(f"{index} is no index of a series of files: {error}; correct it.") from error

@@ -129,8 +129,9 @@ def warn_of_coarse(path: Path, mesh: Any) -> None:
     step, edge = float(numpy.spacing(numpy.abs(points).max())), edge_of(mesh)
     if 0.5 * step > _ROUNDING * edge:
         warn(
-            f"{path}: points of single precision have steps of up to {step:.2g} here, where edges "
-            f"are about {edge:.2g} long; use a file of double precision, or data near the origin."
+            f"{path}: single precision has rounded the points to steps of up to {step:.2g}, but "
+            f"edges are about {edge:.2g} long; write the file in double precision, or data near "
+            "the origin."
         )
 
 

@@ -176,8 +176,8 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                 _note(
                     noted,
                     path,
-                    f"it has {len(loaders)} frames; a series of files uses only the first of them; "
-                    "open this one file to use all.",
+                    f"it has {len(loaders)} frames, but a series of files uses only the first "
+                    "frame of each file; to use all frames, open only this file.",
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
@@ -189,8 +189,8 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
             _note(
                 noted,
                 parts[0],
-                f"arrays left out: {', '.join(lost)}; some parts of the frame lack these arrays; "
-                "write the arrays in all parts.",
+                f"the array(s) {', '.join(lost)} are left out, because some parts of the frame "
+                "lack them; write all arrays in all parts.",
             )
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 

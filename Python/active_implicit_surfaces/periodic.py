@@ -49,7 +49,7 @@ def _box_of(frame: Any) -> tuple[float, ...]:
     known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
     if "Lattice" not in known:
         raise ValueError(
-            "A frame has no particles with a box (files .xyz, .dump, .gro and .pdb may have one); "
+            "A frame has no particles with a box, which .xyz, .dump, .gro and .pdb files may have; "
             "give periodic_bounds in place of periodic."
         )
     for name, count in (("Lattice", 9), ("Origin", 3), ("pbc", 3)):

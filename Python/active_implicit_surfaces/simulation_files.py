@@ -94,7 +94,9 @@ def read_dump(path: Path) -> Frames:
         is_binary, end = b"\0" in content[:4096], len(content)
     if not found:
         raise ValueError(
-            "it is binary; write it as text" if is_binary else "it is no dump of LAMMPS; choose one"
+            "it is binary; write it as text"
+            if is_binary
+            else "it is no dump of LAMMPS; choose another file"
         )
     ends = [*(start for start, _ in found[1:]), end]
     frames = [functools.partial(_read_dumped, path, *cut) for cut in zip(dict(found), ends)]
@@ -124,8 +126,8 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
     columns = group_columns([re.sub(f"^([xyz]){opening}$", r"\1", names[i]) for i in used])
     if "positions" not in columns:
         raise ValueError(
-            "its atoms have no columns x y z (or xs, xu, xsu ...) of numbers, but "
-            f"{', '.join(names)}; write the dump with x y z"
+            "its atoms have no columns x y z (or xs, xu, xsu ...) of numbers; the "
+            f"columns are {', '.join(names)}; write the dump with x y z"
         )
     frame: Frame = {FIELD: field}
     for name, own in columns.items():

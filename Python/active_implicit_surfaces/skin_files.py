@@ -157,7 +157,7 @@ def holds_particles(path: Path) -> bool | None:
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
-        raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
+        raise OSError(f"{path}: input files are read from {', '.join(INPUT_SUFFIXES)}.")
     if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
         return suffix in PARTICLE_SUFFIXES
     data = read_vtk(path)

@@ -169,7 +169,7 @@ class Names(ReaderTest):
             open_particles("run")
         for name in ("p_1.csv", "p_2.csv", "p_old_1.csv"):
             self.put(f"two/{name}", POINT)
-        with self.assertRaisesRegex(OSError, "choose one, as two/p_####.csv"):
+        with self.assertRaisesRegex(OSError, "choose one, such as two/p_####.csv"):
             open_particles("two")
         self.assertEqual(len(open_particles("two/p_####.csv")), 2)
         os.mkdir("none")

@@ -134,7 +134,7 @@ class Dumps(ReaderTest):
             (r"an atom has 4 column\(s\), but its frame names 5", dump(["1123"])),
             ('the row "2 1 a 0 0" for an atom', dump([[1, 1, 0, 0, 0], "21a00"])),
             ('the row "2 1 0 0" for an atom', dump([[1, 1, 0, 0, 0], "2100"])),
-            ("of numbers, but id, type, a", whole.replace("x y z", "a b c")),
+            ("columns are id, type, a", whole.replace("x y z", "a b c")),
         ):
             self.assert_refused(words, self.put("a.dump", text))
 
