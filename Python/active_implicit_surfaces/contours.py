@@ -87,7 +87,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
         raise ValueError(
             f"The image has the values {few(labels, 20)}; if they are labels, choose one "
             "(active-surface --label, or vtkImageThreshold), else give target_iso_value, the value "
-            "at the surface, and invert_target if inside is above."
+            "at the surface, and, if the values inside are larger, invert_target."
         )
     finite = values[numpy.isfinite(values)]
     if not finite.size:
@@ -101,7 +101,8 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
     raise ValueError(
         f"The image has no inside: its finite values are from {finite[0]:g} to {finite[-1]:g}, "
         "none below 0. "
-        "Give target_iso_value, the value at the surface; also invert_target if inside is above."
+        "Give target_iso_value, the value at the surface, and, if the values inside are larger, "
+        "invert_target."
     )
 
 

@@ -103,7 +103,7 @@ def as_shape(shape: Any) -> Any:
         return _mesh(shape.points, [c.data for c in shape.cells if c.type in _FACES])
     raise TypeError(
         f"A {type(shape).__name__} is no mesh and no image; give a vtkPolyData, a vtkImageData, or "
-        "an object with vertices and faces or with points and cells."
+        "an object with the attributes `vertices` and `faces`, or `points` and `cells`."
     )
 
 
@@ -177,7 +177,7 @@ def vtk_points(positions: Any) -> Any:
             ) from error
         raise TypeError(
             f"A {type(positions).__name__} is no set of particles; give numbers in n rows and 3 "
-            "columns, a vtkPointSet, or an object with points or vertices."
+            "columns, a vtkPointSet, or an object with the attribute `points` or `vertices`."
         ) from error
     if numbers.size == 0:
         numbers = numbers.reshape(0, 3)
@@ -261,8 +261,8 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
         is_of_points and len(numbers) != cloud.GetNumberOfPoints()
     ):
         raise ValueError(
-            f'The array "{name}" has the shape {numbers.shape}; there are '
-            f"{cloud.GetNumberOfPoints()} particles, and each needs one row: (n,) or (n, k)."
+            f'The array "{name}" has the shape {numbers.shape}; the shape has to be (n,) or '
+            f"(n, k), where n is the number of particles, {cloud.GetNumberOfPoints()}."
         )
     array = _string_array(numbers) if is_text else numpy_to_vtk(numbers)
     array.SetName(name)

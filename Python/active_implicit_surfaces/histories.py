@@ -53,14 +53,15 @@ def history(surface: Any) -> dict[str, Any]:
     if not hasattr(surface, "GetHistory"):
         raise TypeError(
             f"An object of type {type(surface).__name__} has no history; give a "
-            "vtkActiveImplicitSurface, frames, morph or LiveSurface."
+            "vtkActiveImplicitSurface, or an object of frames, morph or LiveSurface."
         )
     with listening(surface) as heard:
         table = surface.GetHistory()
     heard.raise_error(ValueError)
     if table is None or table.GetNumberOfRows() == 0:
         raise ValueError(
-            "There is no history; update the surface first. On several ranks only rank 0 has it."
+            "There is no history; update the surface first. On several MPI ranks, only rank 0 has "
+            "the history."
         )
     columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
     rows = range(table.GetNumberOfRows())
@@ -100,7 +101,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     drawn = list(axes)
     if len(drawn) != len(columns):
         raise ValueError(
-            f"There are {len(drawn)} axes for {len(columns)} columns; give one for each column."
+            f"There are {len(drawn)} axes for {len(columns)} columns; give as many axes as columns."
         )
     times = held["Time"]
     events = [(time, text) for time, text in zip(times, held["Event"]) if text]

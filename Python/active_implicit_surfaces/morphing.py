@@ -107,7 +107,7 @@ class morph(Skins):
             raise TypeError(f"morph has duration and frames in place of {name}; leave {name} out.")
         frames = _count_of(frames)
         if fit not in FITS:
-            raise ValueError(f"fit is one of {', '.join(FITS)}, not {fit!r}.")
+            raise ValueError(f"fit has to be one of {', '.join(FITS)}, not {fit!r}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress

@@ -50,8 +50,8 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     proxy = simple.GetActiveSource() if surface is None else surface
     if proxy is None or proxy.GetXMLName() != "ActiveImplicitSurface":
         raise ValueError(
-            "The source is no Active Implicit Surface; select one over particles in the Pipeline "
-            "Browser or, in a script, give one by surface=."
+            "The source is no Active Implicit Surface. Select an Active Implicit Surface over "
+            "particles in the Pipeline Browser, or give it to apply() as surface=."
         )
     target = proxy.Input
     times = [float(time) for time in proxy.TimestepValues] or [0.0]

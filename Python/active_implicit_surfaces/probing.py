@@ -22,7 +22,7 @@ from .series import TemporalSource
 from .solvent import empty_image, excluded_distance, for_triangles, usual_voxel
 
 _RADII = "radius"
-_ADVICE = "choose an array of radii (frames: arrays, skin: radii, command: --radii)"
+_ADVICE = "give radii by arrays= of frames(), radii= of skin() or --radii of the command"
 _FOLLOWING = 24.0  # distances to the target fall by a factor e^24 per step
 
 
@@ -71,8 +71,8 @@ class ProbedAtoms:
         if array is None:
             raise ValueError(
                 f"The atoms have no array of numbers {self._radii!r}, but a probe needs van der "
-                f"Waals radii; {_ADVICE}, or leave radii out and write elements into an .xyz, .pdb "
-                "or .dump."
+                f"Waals radii; {_ADVICE}. With elements in an .xyz, .pdb or .dump, leave "
+                "radii out."
             )
         if array.GetNumberOfComponents() != 1:
             raise ValueError(

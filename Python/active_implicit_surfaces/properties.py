@@ -133,7 +133,7 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
     got = getattr(surface, "Get" + own.name)()
     if kind == "choice" and got != wanted:
         words = ", ".join(f"{word!r} ({number})" for number, word in enumerate(own.choices))
-        raise ValueError(f"{own.keyword} is one of {words}, not {value!r}.")
+        raise ValueError(f"{own.keyword} has to be one of {words}, not {value!r}.")
     if kind != "object" and got != wanted and wanted == wanted:
         limits = f"its range: {own.range}" if own.range else f"its range; the filter uses {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")
@@ -146,7 +146,7 @@ def _number_of(value: Any) -> Any:
 def _number_of_choice(own: Property, word: str) -> int:
     plain = word.lower().replace("-", "_")
     if plain not in own.choices:
-        raise ValueError(f"{own.keyword} is one of {', '.join(own.choices)}, not {word!r}.")
+        raise ValueError(f"{own.keyword} has to be one of {', '.join(own.choices)}, not {word!r}.")
     return own.choices.index(plain)
 
 

@@ -180,7 +180,7 @@ def capture(
         fill the window.
     """
     if encoding not in ("srgb", "linear"):
-        raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
+        raise ValueError(f'encoding has to be "srgb" or "linear", not {encoding!r}.')
     if window.GetClassName() == "vtkRenderWindow":
         raise ValueError(
             "The window cannot draw: it was made before VTK's OpenGL was loaded; import "

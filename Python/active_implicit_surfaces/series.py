@@ -218,7 +218,7 @@ class ParticleSeries(TemporalSource):
         where = [where] if isinstance(where, str) else [*(where or ())]  # used for each frame
         conditions(where)
         if times is not None and fps is not None:
-            raise ValueError("Times and frames per second exclude each other; give one of them.")
+            raise ValueError("Give either times or fps, not both.")
         load, found, kind = _loader(frames, times, fps)
         is_image = kind == "vtkImageData"
         read = (lambda step: _as_image(load(step))) if is_image else load

@@ -54,7 +54,7 @@ def check() -> None:
         f"active_implicit_surfaces was built with VTK {VERSION}, for {BUILT_FOR}, but this Python "
         f"finds another VTK, {found}, in {os.path.dirname(core.__file__ or '')}; one program "
         "cannot have both. Remove that VTK from the environment (if it is from PyPI: pip uninstall "
-        f"{backend_of(PACKAGE)}), so that the one of the build is found, or build "
+        f"{backend_of(PACKAGE)}), so that the VTK of the build is found, or build "
         "active_implicit_surfaces with that VTK."
     )
 

@@ -15,6 +15,6 @@ def dynamic_metadata(settings, project):
     if choice == "system":
         return {}
     if choice not in SDKS:
-        raise ValueError(f"ACTIVE_VTK is cvista, sdk or system, not {choice!r}.")
+        raise ValueError(f"ACTIVE_VTK has to be cvista, sdk or system, not {choice!r}.")
     sdk, libraries = SDKS[choice]
     return {"dependencies": [f"{libraries}=={version(sdk)}"]}  # C++ libraries fit one version only

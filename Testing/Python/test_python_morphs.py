@@ -111,7 +111,7 @@ class Morphs(unittest.TestCase):
                     self.assertAlmostEqual(value, wanted, delta=0.02)
         with self.assertWarnsRegex(active.ActiveSurfaceWarning, "bounds are 10 apart"):
             active.morph(cube(), output_of(ball_mesh(0.5, 32, (10, 0, 0))))
-        with self.assertRaisesRegex(ValueError, "fit is one of none, centre, box, not 'size'"):
+        with self.assertRaisesRegex(ValueError, "has to be one of none, centre, box, not 'size'"):
             active.morph(cube(), ball(), fit="size")
         with self.assertRaisesRegex(TypeError, "a function has no box"):
             active.morph(cube(), vtkSphere(), fit="box")
