@@ -1,4 +1,4 @@
-"""Reads the properties of classes from their headers: the one table of properties.
+"""Writes the table of properties, which are read from the headers of classes.
 
     python3 Filters/property_table.py HEADER... --output properties.json
 
@@ -7,15 +7,17 @@ begins the group G. The table has a list of properties for each class, in the or
 each with
 
 - name, group, comment;
-- kind: switch, choice, integer, number, integers, numbers (several), text or object; type, in C++;
-- choices: names of the values of a choice, from SetXToName(), ascending from 0;
-- default: the initial value of the member X; null if there is none;
-- least, largest: bounds by vtkSetClampMacro (clamped), else by "Range: A to B" in the comment;
-  null: none;
-- range, unit, sentence: from the comment: text after "Range:" (up to ", automatic:", of values
-  that the filter finds), in [], and the first sentence.
+- kind: switch, choice, integer, number, integers or numbers (vectors), text or object;
+- type: the type in C++, without *; "text" for a string;
+- choices: names of the values of a choice, from SetXToName(), by ascending value;
+- default: the initial value of the member X; null for objects, and if there is no initial value;
+- clamped: true if vtkSetClampMacro declares bounds;
+- least, largest: bounds by vtkSetClampMacro, else by "Range: A to B" in the comment; null: none;
+- range: text after "Range:" in the comment, without the text from ", automatic:" on;
+- unit: text in the first [] of the comment;
+- sentence: first sentence of the comment.
 
-Python's keywords, the options of the program, ParaView's panel and tests follow from it.
+The keywords in Python, the options of the program, ParaView's panel and tests use the table.
 """
 
 from __future__ import annotations
@@ -50,7 +52,7 @@ def read_class(header: Path) -> tuple[str, list[dict[str, Any]]]:
 def _read_property(
     block: str, constants: dict[str, int], members: dict[str, str]
 ) -> dict[str, Any] | None:
-    """Returns the property of a block, if its first method sets one."""
+    """Returns the property that the code of a block sets; None if it sets none."""
     comment, code = re.match(r"\s*/\*\*(.*?)\*/(.*)", block, re.DOTALL).groups()  # type: ignore[union-attr]
     text = " ".join(comment.replace("\n   * ", " ").replace("\n   *", " ").split())
     declared = _find_setter(code)
@@ -83,7 +85,10 @@ def _read_property(
 
 
 def _find_setter(code: str) -> tuple[str, str, str, list[str]] | None:
-    """Returns name, kind, type and bounds of the property that a block's code declares."""
+    """Returns name, kind, type and bounds of the property that a block's code sets.
+
+    Returns None if there is no setter.
+    """
     kinds = {"double": "number", "int": "integer", "vtkIdType": "integer"}
     if macro := re.search(r"vtkSet(Clamp|String|Vector(\d))?Macro\(([^)]*)\)", code):
         name, *more = (word.strip() for word in macro[3].split(","))
@@ -109,7 +114,7 @@ def _plain(word: str) -> int | float:
 
 
 def _value(word: str, constants: dict[str, int]) -> Any:
-    """Returns the value of an initial value or a bound."""
+    """Returns the value of C++ text: of an initial value or a bound; None for no bound."""
     words = {**constants, **LIMITS, "true": 1, "false": 0, "nullptr": None}
     if word.startswith("{"):
         return [_plain(number) for number in re.findall(NUMBER, word)]

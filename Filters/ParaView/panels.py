@@ -5,14 +5,17 @@
 Elements of a template:
 
 - <Own name="X" />: property X of the proxy's class: command, type, default, choices, range and
-  documentation follow from the table. An Own may stand in a PropertyGroup. Attributes:
-  advanced="1" (shown by the gear), if="Y=1" or if="Y!=0" (shown for these values of Y), if_input
-  (shown for this type of the input), unless_input (shown for other types), choices (their
-  labels), required="1" (a function other than None). Other attributes and elements are copied,
-  and replace those of the table.
-- <InUse name="X" />: the value of XInUse, advanced and read-only; the text of X refers to XInUse.
-- <Array name="X" number="N" />: point array that SetInputArrayToProcess(N, ...) chooses, with
-  input, domain and kind ("Scalars" or "Vectors").
+  documentation follow from the table. The class is the proxy's attribute `of`, else its `class`.
+  An Own may stand in a PropertyGroup. Attributes of an Own:
+  - advanced="1": the gear shows the property;
+  - if="Y=1", if="Y!=0": the panel shows the property if property Y has, or has not, this value;
+  - if_input="T", unless_input="T": the panel shows, or hides, the property for inputs of type T;
+  - choices="A,B": labels of the choices, in place of their names;
+  - required="1": the user has to choose a function, so None is no choice.
+  Other attributes and child elements are copied, and replace those that the table gives.
+- <InUse name="X" />: property XInUse, advanced and read-only; the documentation of X names it.
+- <Array name="X" number="N" />: point array that SetInputArrayToProcess(N, ...) chooses.
+  Attributes: domain; input (default: "Input"); kind, "Scalars" (default) or "Vectors".
 """
 
 from __future__ import annotations
@@ -41,7 +44,7 @@ def number(value: Any) -> str:
 
 
 class Panels:
-    """Replaces the elements of one template."""
+    """Replaces the elements Own, InUse and Array of one template."""
 
     def __init__(self, table: dict[str, list[Row]], root: Element) -> None:
         self.table, self.root = table, root
@@ -102,7 +105,10 @@ class Panels:
         return made
 
     def _text_of(self, row: Row, rows: dict[str, Row]) -> str:
-        """Returns a property's comment, in which names of properties are ParaView's labels."""
+        """Returns a property's comment, in which names of properties are ParaView's labels.
+
+        If the template has an InUse of the property, a sentence names it.
+        """
         names = "|".join(sorted(rows, key=len, reverse=True))
         text = re.sub(rf"\b({names})\b", lambda found: label_of(found[1]), row["comment"])
         used = f" {label_of(row['name'])} In Use shows the value." * (row["name"] in self.in_use)
@@ -165,7 +171,10 @@ def _make_function(row: Row, may_be_none: bool) -> Element:
 
 
 def _make_hints(given: dict[str, str], more: Element | None) -> Element:
-    """Returns hints for the attributes of visibility, which are removed from `given`."""
+    """Returns the Hints of `more`, with a hint for the attribute if, if_input or unless_input.
+
+    These attributes are removed from `given`.
+    """
     hints = Element("Hints")
     hints.extend(more if more is not None else [])
     found: dict[str, str] = {}
