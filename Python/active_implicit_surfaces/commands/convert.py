@@ -160,7 +160,7 @@ def make_parser() -> Parser:
 
 
 def _way(file: Path, output: Path) -> str:
-    """Returns the kind of a conversion, such as mesh_to_vdb."""
+    """Returns the kind of a conversion: "particles", or from mesh or image, as "mesh_to_vdb"."""
     if _holds_particles(file, output):
         return "particles"
     kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
@@ -211,7 +211,11 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
 
 
 def _contour(file: Path, image: Any, options: Any) -> Any:
-    """Returns the surface of an image or a grid; an empty surface for empty data."""
+    """Returns the surface of an image or a grid; an empty surface without points or values.
+
+    The surface of a constant .vdb, as of a skin that has vanished, is also empty. Raises OSError if
+    another image has no surface.
+    """
     if image.GetNumberOfPoints() == 0:
         return vtkPolyData()
     try:
@@ -259,7 +263,9 @@ def _about_no_surface(file: Path, image: Any, scalars: Any, level: float, option
 def _level_of_grid(file: Path, image: Any) -> tuple[float, bool]:
     """Returns the level of a .vdb, and True if inside is above, as in a fog.
 
-    Grids without a class, as written from images, follow `usual_level` if a value is negative.
+    A level set has the level 0, inside below. A file whose grids have no class, as written from
+    images, follows `usual_level` if a value is negative. Other grids have the level 0.5, inside
+    above.
     """
     reader = open_vtk(file)
     classes = {*map(reader.GetGridClass, range(reader.GetNumberOfGrids()))}

@@ -1,4 +1,4 @@
-"""Rejects options that have no effect in a run, or warns if an option only needs a series.
+"""Rejects options that have no effect in a run; on one frame, warns of options for a series.
 
 A run has facts: words such as "render", and the value of each choice and switch of the filter, such
 as "particle_model=sum". An option has rows of facts, from _ACTING and from the group and the
@@ -83,7 +83,7 @@ def check_effects(
 ) -> None:
     """Ends the program if an option has no effect; only warns if the option needs a series.
 
-    Without a surface the properties are read from the options.
+    If `surface` is None, the properties are read from `options`.
     """
     given = vars(options)
     if surface is None:
@@ -111,7 +111,7 @@ def check_effects(
 
 
 def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
-    """Yields the given options, except switches set to their default, and the options' rows."""
+    """Yields each given option with its rows; leaves out switches that are set to their default."""
     for name, value in vars(options).items():
         if name.startswith(_START) and value is not None:
             own = properties.find(name[len(_START) :])

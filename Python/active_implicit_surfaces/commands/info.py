@@ -80,7 +80,7 @@ def make_parser() -> Parser:
 def describe(
     names: list[str], where: Sequence[str] = (), label: int | None = None
 ) -> dict[str, Any]:
-    """Returns, for JSON, the contents of the first file; of particles, the first and last frame."""
+    """Returns a description of the first file, for JSON; of particles, of first and last frame."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -146,7 +146,10 @@ def _arrays(data: Any) -> dict[str, str]:
 
 
 def _range_of(values: numpy.ndarray) -> str:
-    """The range of an array, or of its vectors' lengths, in words; each begins with a comma."""
+    """Returns text with the range of an array, or of its vectors' lengths.
+
+    The text also has the number of values that are not finite. Each part begins with a comma.
+    """
     lengths = values if values.ndim == 1 else numpy.linalg.norm(values.astype(float), axis=1)
     finite = lengths[numpy.isfinite(lengths)]
     text = (
@@ -213,7 +216,10 @@ def _measure_all(
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """Counts points or cells of each label except 0; {} if there are over 100, or fractions."""
+    """Returns the number of points or cells of each label except 0.
+
+    Returns {} if there are over 100 labels, or values that are not whole numbers.
+    """
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:
@@ -292,7 +298,7 @@ def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
 
 
 def _digits_of(values: Any) -> int:
-    """Returns the significant digits: 6, or more if values differ little, as map coordinates."""
+    """Returns how many digits to print: 6, or more if bounds differ little, as map coordinates."""
     if not isinstance(values, list) or not all(isinstance(value, float) for value in values):
         return 6
     ends = values[: len(values) // 2 * 2]

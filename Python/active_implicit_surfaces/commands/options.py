@@ -1,4 +1,4 @@
-"""Options that commands share: the filter's properties, times, pictures."""
+"""Options that commands share: properties of the filter, selections, pictures; parsers of texts."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class _HelpProperties(argparse.Action):
 
 
 def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
-    """Adds an option for each property that is no object; --help lists only the ones in `shown`."""
+    """Adds an option for each property that is no object; --help lists only those in `shown`."""
     every = {own.keyword: own for own in properties.every() if own.kind != "object"}
     for keyword in dict.fromkeys([*shown, *every]):
         own = every[keyword]
@@ -111,7 +111,7 @@ def add_help(group: Any, properties: bool = False) -> None:
 
 
 def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]:
-    """Returns the given properties; ends the program if `put` rejects a value."""
+    """Returns the given properties; ends the program if `properties.put` rejects a value."""
     start = "property_"
     given = {
         name[len(start) :]: value
@@ -126,7 +126,7 @@ def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]
 
 
 def properties_help() -> str:
-    """Returns the help of all properties as options, under their groups."""
+    """Returns the help of all properties that are options, under their groups."""
     lines, group = ["properties of the filter (details: help(vtkActiveImplicitSurface))"], ""
     for own in properties.every():
         if own.kind == "object":
@@ -156,12 +156,12 @@ def wrapped(text: str) -> str:
 
 
 def preset_help() -> str:
-    """Lists the presets and their purposes."""
+    """Returns a text with a line for each preset and its purpose."""
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
 def add_choice_options(group: Any, searched: str = "the first frame") -> None:
-    """Adds --where and --label; `searched` is where --label all finds labels."""
+    """Adds --where and --label; `searched` says in the help where --label all finds labels."""
     group.add_argument(
         "--where",
         action="append",
@@ -178,7 +178,7 @@ def add_choice_options(group: Any, searched: str = "the first frame") -> None:
 
 
 def add_picture_options(parser: Parser, up: str) -> None:
-    """Adds the options of pictures; `up` is the default of --up."""
+    """Adds the options of pictures; the help states `up` as the default of --up."""
     pictures = parser.add_argument_group("pictures")
     pictures.add_argument(
         "--size",

@@ -43,10 +43,11 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """Yields a run's options for each label, with its output names; without labels, for one run.
+    """Yields for each label the options of a run, with names of outputs for this label.
 
-    `find` returns all labels; `default` is the output's name if neither -o nor --render is given.
-    Raises OSError if `find` returns no label.
+    Without labels, yields the options of one run. `find` returns the labels for --label all;
+    `default` is the output's name if neither -o nor --render is given. Raises OSError if `find`
+    returns no label.
     """
     if not (options.output or getattr(options, "render", None)):
         options.output = default
@@ -74,10 +75,10 @@ class Outputs:
     """File names of a run's outputs, and the sinks that write them.
 
     Attributes:
-    - output (Path or None): name of the skins, by -o or the default; None if only --render is
-      given.
-    - names (list of Path): file of each frame; empty before plan(), if output is None, and for one
-      .usdc or .usda.
+    - output (Path or None): name of the skins, from -o or the default; None if --render is given
+      without -o.
+    - names (list of Path): file of each frame. The list is empty before plan() is called, if
+      `output` is None, and if `output` is a .usdc or .usda, which has all frames.
     """
 
     def __init__(self, parser: Parser, options: Any) -> None:
@@ -114,7 +115,10 @@ class Outputs:
             )
 
     def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
-        """Chooses the names of the numbered frames, and makes the folders of all outputs."""
+        """Chooses the names of the numbered frames, and makes the folders of all outputs.
+
+        Raises OSError if a file of the skins is one of the `inputs`, or a folder cannot be made.
+        """
         self.numbers = numbers
         self.names = names_of(self.output, numbers) if self.output and not self.is_usd else []
         if self.is_usd and self.output:

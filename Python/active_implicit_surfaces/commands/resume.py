@@ -16,7 +16,9 @@ _SECONDS_BETWEEN_STATES = 20.0
 
 
 class Resumption(Sink):
-    """State of a run, saved during the run at most every 20 s; after bind() a sink of the run.
+    """State of a run, saved at most every 20 s; after bind(), a sink of the run.
+
+    At the end of the run, the state is saved if the run has failed or is kept, else removed.
 
     - output (Path): name of the series of skins; the state is in hidden files of the same folder.
     - description (dict): options that the skins depend on; a run with other options cannot be
@@ -68,7 +70,7 @@ class Resumption(Sink):
         return done
 
     def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
-        """Saves the state after a frame; if `now` is false, at most every 20 s."""
+        """Saves the state after a frame; within 20 s of the last save, only if `now` is true."""
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
         before = self.notes.read_bytes() if self.notes.exists() else None
@@ -148,7 +150,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Returns name, size and mtime of the first `count` files; only names if files may grow."""
+        """Returns [name, size, mtime] of the first `count` files; [name] if a file may grow."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()

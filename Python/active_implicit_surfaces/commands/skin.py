@@ -113,7 +113,7 @@ class _Plan(NamedTuple):
 
 
 def _plan(options: Any, files: ParticleFiles) -> _Plan:
-    """Plans the skins of --frames, --preroll and --output-fps over these files."""
+    """Plans the skins over the frames of `files`, by --frames, --preroll and --output-fps."""
     low, high, stride = options.frames or (None, None, 1)
     first, last = (files.numbers[i] if n is None else n for i, n in ((0, low), (-1, high)))
     wanted = [

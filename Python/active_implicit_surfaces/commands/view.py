@@ -20,11 +20,11 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
     """Returns points around the particles of up to 64 frames of a series, and the up axis, y or z.
 
     The points are the extremes of each frame in 26 directions, with a margin for the skin. Strays,
-    such as drops that fly off, are out of view if farther from the other particles' box than a
-    quarter of its longest side.
+    such as drops that fly off, are out of view if their distance from the box of the other
+    particles is more than a quarter of the longest side of this box.
 
-    The up axis is the result of `lie` for bounds and mean position of the frames. For images the up
-    axis is z, and the bounds of the first image are in view.
+    The up axis is the result of `lie` for the bounds and the mean position of all frames. For
+    images the points are the corners of the first image's bounds, and the up axis is z.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
@@ -53,8 +53,10 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
 
 
 def lie(low: Any, high: Any, mean: Any) -> str:
-    """Returns y or z, the axis along which the mean is clearly lower in the box; if there is none,
-    returns y if the box is clearly shorter along y, else z.
+    """Returns the up axis, y or z: the axis along which the mean is clearly lower in the box.
+
+    If the mean is at about the same height along both axes, returns y if the box is clearly shorter
+    along y than along z, else z.
     """
     sides = high - low
     place = (mean - low) / numpy.maximum(sides, 1e-300)
