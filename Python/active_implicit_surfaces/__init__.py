@@ -7,7 +7,7 @@ number, its range and any unit. Functions and classes:
 
 skin(particles)          the skin over one frame of particles
 frames(series)           the skins over a series of particles, each from the previous skin
-morph(a, b, duration)    one shape becomes another
+morph(a, b, duration)    the skins from one shape to another
 LiveSurface              a skin that follows a simulation as it runs
 ParticleSeries           particles or images over time, a source of a pipeline
 history, plot_history    area, volume, pieces and events of a skin over time

@@ -47,18 +47,19 @@ def skin(
     Parameters
     ----------
     particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
-        Objects may be of PyVista, meshio or trimesh. All points are particles; cells are ignored.
+        Objects of PyVista, meshio and trimesh are accepted. All points are particles; cells are
+        ignored.
     radii : array (n,) or str, optional
         Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of a point array. Weights of 0 or less give no skin;
-        those above 1 count as 1. With ``particle_model="sum"`` larger weights give a larger ball,
-        and negative weights remove skin of other particles.
+        Weight of each particle, or the name of a point array. With ``particle_model="anisotropic"``
+        (default), weights of 0 or less give no skin, and weights above 1 count as 1. With "sum"
+        larger weights give a larger ball, and negative weights remove skin of other particles.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options, except as "automatic" or -1,
-        override the preset.
+        Named set of property values. Properties that are given as options override the preset,
+        unless their value is "automatic" or -1.
     arrays : dict of arrays, optional
         Further point arrays; ``pass_target_arrays=True`` passes them to the skin.
     **options
@@ -67,16 +68,17 @@ def skin(
     Returns
     -------
     vtkPolyData
-        Closed surface of triangles (on several ranks, a part of it), by default with normals; a
-        pyvista.PolyData if the particles are PyVista's.
+        Closed surface of triangles, by default with normals; on several ranks, each rank returns
+        a part of the surface. A pyvista.PolyData if the particles are PyVista's.
 
     Raises
     ------
     ValueError
-        A value or an array does not fit, or the filter reports an error (the text is its message).
+        A value or an array does not fit, or the filter reports an error. The exception then has
+        the filter's message.
     TypeError
-        Unknown keyword (the text names a similar one, if any), or particles or a value of a wrong
-        type.
+        A keyword is unknown (the message names a similar keyword, if any), or particles or a value
+        have a wrong type.
 
     Examples
     --------
@@ -108,41 +110,45 @@ def skin(
 class frames(Skins):
     """Iterator over the skins of a series of particles or images.
 
-    Each skin evolves from the previous one, except over masks without explicit substeps.
+    Each skin evolves from the previous one. Exception: without explicit substeps (property
+    TimeIntegration), the skin over a mask is the smoothed mask.
 
     Parameters
     ----------
     particles : iterable of particles or files, pattern of files, ParticleSeries, or callable(time)
-        See ParticleSeries; give times, fps and where to a ParticleSeries itself. Images are masks
-        of a label, volume fractions (inside above 0.5) or distances (inside below 0); for other
-        images set ``target_iso_value`` and ``invert_target``.
+        See the parameter `frames` of ParticleSeries. Images may be masks of a label, volume
+        fractions (inside above 0.5) or distances (inside below 0); for other images set
+        ``target_iso_value`` and ``invert_target``.
     times : sequence of float, optional
-        See ParticleSeries [time].
+        Times of the frames [time]; see ParticleSeries. If `particles` is a ParticleSeries, pass
+        `times`, `fps` and `where` to the ParticleSeries instead.
     fps : float, optional
-        See ParticleSeries [1/time].
+        Frames per unit of time [1/time]; see ParticleSeries.
     where : str or sequence of str, optional
         Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
     minimum_piece : int
         Least number of particles of a cluster; smaller clusters get no skin. Default: 1.
     minimum_volume : float
-        Least volume of a cluster [length^3]; a particle counts as spacing^3. Default: 0.
+        Least volume of a cluster [length^3]; smaller clusters get no skin. The volume is the
+        number of particles times the cube of the particle spacing. Default: 0.
     probe : float, optional
-        Radius of a probe [length] that rolls over atoms (particles with radii). The skin is the
-        solvent-excluded surface, for radius 0 the union of the atoms' balls. Water: 1.4 Angstrom.
-        With ``pass_target_arrays=True`` the skin has the arrays of the nearest atom.
+        Radius of a probe [length] that rolls over atoms (particles with radii); for water 1.4
+        Angstrom. The skin is the solvent-excluded surface; for radius 0, the surface of the union
+        of the atoms' balls. With ``pass_target_arrays=True`` the skin has the arrays of the nearest
+        atom.
     periodic : bool
         Sets ``periodic_bounds`` to the box in the particles' field data: "Lattice" (edges as rows
         [length]), "Origin" and "pbc". Default: False.
     output_fps : float, optional
-        Skins per unit of time [1/time], also between frames. Default: a skin per frame.
+        Skins per unit of time [1/time], also between frames. Default: one skin for each frame.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        Named set of property values; properties given as options, except as "automatic" or -1,
-        override the preset.
+        Named set of property values. Properties that are given as options override the preset,
+        unless their value is "automatic" or -1.
     arrays : dict of str, optional
-        Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
-        Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower
-        case); for radii, with `probe` or the preset molecule or grains, the array "radius" (with
-        a preset and ``kernel_radius``: none).
+        Names of point arrays. The keys are "radii" (of balls), "ids", "strengths" and
+        "velocities". Default of "ids": an array named id, ids, particle_id, particleid or pid, in
+        upper or lower case. Default of "radii": with `probe`, the array "radius"; with the preset
+        "molecule" or "grains" the array "radius", unless ``kernel_radius`` is given; else none.
     progress : callable(int, int), optional
         Called after each skin with the numbers of finished skins and of all skins.
     **options
@@ -151,16 +157,17 @@ class frames(Skins):
     Yields
     ------
     Frame
-        `time` and `skin`, a vtkPolyData (a pyvista.PolyData if `particles` is a list of PyVista's).
+        Named tuple (time, skin). The skin is a vtkPolyData, or a pyvista.PolyData if `particles`
+        is a list of objects of PyVista.
 
     Raises
     ------
     ValueError
         A value, a time or an array does not fit, no particle is selected, or the filter reports an
-        error (the text is its message).
+        error. The exception then has the filter's message.
     TypeError
-        Unknown keyword (the text names a similar one, if any), particles or a value of a wrong
-        type, or a function without times.
+        A keyword is unknown (the message names a similar keyword, if any), particles or a value
+        have a wrong type, or `particles` is a function, but `times` are not given.
     OSError
         A file does not exist or cannot be read.
 
@@ -169,7 +176,8 @@ class frames(Skins):
     surface : vtkActiveImplicitSurface
         The filter, for example for `history`.
     source : TemporalSource
-        Source of the particles or images; with `probe`, of images of distances.
+        Source of the particles or images. With `probe`, the source of images whose values are
+        distances to the solvent-excluded surface.
 
     Examples
     --------
@@ -240,7 +248,7 @@ class frames(Skins):
         self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
 
     def make(self, step: int) -> Any:
-        """Returns the filter's own output at a step, with the atoms' arrays if requested."""
+        """Returns the filter's own output at a step; with a probe, with requested atom arrays."""
         skin = super().make(step)
         if self._atoms:
             self._atoms.add_arrays(skin, self.times[step])
@@ -256,7 +264,7 @@ def configure(
     interval: float | None = None,
     **options: Any,
 ) -> None:
-    """Sets arrays and properties of a filter over a source of particles or images."""
+    """Sets arrays and properties of a filter whose target is a source of particles or images."""
     options = properties.given(options)
     chosen = dict(arrays or {})
     _check_names(chosen)
@@ -288,7 +296,10 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Warns of lengths that do not fit the particles; may set the spacing if no length is set."""
+    """Warns of lengths that do not fit the particles.
+
+    If neither a spacing, a kernel radius nor radii are set, may set the estimated spacing.
+    """
     own, spacing = series_spacing(frames), surface.GetParticleSpacing()
     warn(*describe_precision(frames[0], spacing if spacing > 0 else own))
     if not (spacing > 0 or surface.GetKernelRadius() > 0 or has_radii):
@@ -318,7 +329,7 @@ def _describe_lengths(surface: Any, own: float, has_radii: bool) -> list[str]:
 
 
 def _check_names(chosen: dict[str, Any]) -> None:
-    """Raises TypeError if a chosen array is no name, such as an array of values."""
+    """Raises TypeError if a value of `chosen` is no name, such as an array of values."""
     for role, name in chosen.items():
         if name is not None and not isinstance(name, str):
             raise TypeError(
@@ -328,7 +339,7 @@ def _check_names(chosen: dict[str, Any]) -> None:
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
-    """Raises ValueError if the first frame has particles, but not a chosen array."""
+    """Raises ValueError if the first frame has particles, but lacks a chosen array."""
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return
@@ -342,7 +353,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
-    """Returns the array name of each given keyword, and the arrays that are given as values."""
+    """Returns two dicts: the array name of each given keyword; the arrays given as values."""
     names, values = {}, {}
     for role, array in given.items():
         if isinstance(array, str):

@@ -29,7 +29,11 @@ _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns o
 
 
 def read_molecule(lines: list[str]) -> Frames:
-    """Reads the frames of an .xyz file whose first line is the number of atoms."""
+    """Reads the frames of an .xyz file whose first line is the number of atoms.
+
+    Returns the frames and their times. The times are None unless each comment line has a `time=` or
+    `t=`, and the times increase.
+    """
     frames: list[Frame] = []
     times, place = [], 0
     while place < len(lines):
@@ -75,7 +79,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
 
 
 def _usual_properties(rows: list[list[str]]) -> str:
-    """Returns the Properties of a plain .xyz: symbol (if any), x, y, z, then columns of numbers."""
+    """Returns Properties for a plain .xyz: symbol (if any), x, y, z, then columns of numbers."""
     width = min(map(len, rows), default=4)
     if width == 3 and all(number(cell) is not None for row in rows for cell in row):
         return "pos:R:3"
@@ -135,7 +139,7 @@ def _finite(words: Sequence[str]) -> list[float]:
 
 
 def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
-    """Returns a cell's edges, a flag for each (1: periodic) and any origin; {} without a cell."""
+    """Returns a cell's edges, a flag for each edge (1: periodic), any origin; {} without a cell."""
     if "lattice" not in pairs:
         return {}
     words = re.split(r"[\s,]+", pairs["lattice"].strip())
@@ -154,9 +158,9 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
     """Adds atomic numbers, radii and element symbols, unless no symbol has a known radius.
 
-    Radii and elements of the file stay.
-    Symbols are read as atom names if `are_names` is true; else _elements_of decides.
-    `unit` is one Angstrom in the unit of the positions.
+    Radii and element symbols that a frame has already are kept. If `are_names` is true, symbols
+    are read as names of atoms; else `_elements_of` decides. `unit` is the length of one Angstrom in
+    the unit of the positions.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
@@ -194,8 +198,9 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     """Returns the atomic number of each symbol, 0 if unknown.
 
-    Symbols are read as atom names if any symbol is a name but no element (CB, OW), or if the
-    symbols fit the backbone of a protein: only CA, or CA, C, N and any others.
+    All symbols are read as names of atoms, with a warning, if any symbol is a name but no element
+    (CB, OW), or if the symbols fit the backbone of a protein: CA is the only symbol, or CA, C and N
+    are among the symbols.
     """
     letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
@@ -251,7 +256,10 @@ def _guess(name: str, table: Any) -> str:
 
 
 def read_gro(path: Path) -> Frames:
-    """Reads the frames of a .gro [nm], with times if every title has a `t=` and these increase."""
+    """Returns the frames of a .gro [nm], and their times.
+
+    The times are None unless each title has a `t=`, and the times increase.
+    """
     lines = path.read_text(encoding="latin-1").splitlines()
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
@@ -293,9 +301,9 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
 
 
 def _edges_of(line: str) -> Frame:
-    """Reads the box of a .gro: sides, then off-diagonal entries.
+    """Returns the edges of a box from its line in a .gro: sides, then off-diagonal entries.
 
-    Blanks may be missing if all numbers have five decimals.
+    Blanks between the numbers may be missing if all numbers have five decimals.
     """
     are_apart = all(cell.count(".") < 2 for cell in line.split())
     words = line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line)
@@ -310,8 +318,8 @@ def _edges_of(line: str) -> Frame:
 def read_pdb(path: Path) -> Frames:
     """Reads the models of a .pdb as frames; uses the first of alternate locations of an atom.
 
-    "residue" is the number in the chain, "chain" the letter of the chain, "resname" and "name"
-    the names of residue and atom; "hetero" is 1 for HETATM.
+    Arrays: "residue" (number of the residue in its chain), "chain" (letter of the chain), "resname"
+    (name of the residue), "name" (name of the atom), "hetero" (1 for HETATM, 0 for ATOM).
     """
     models, field, seen = [dict[int, str]()], Frame(), set[str]()
     for place, line in enumerate(path.read_text(encoding="latin-1").splitlines(), start=1):
@@ -350,7 +358,7 @@ def _read_pdb_frame(lines: dict[int, str]) -> Frame:
 
 
 def _cell_of(cell: Any) -> Frame:
-    """Returns edges from CRYST1 (lengths, angles); {} if all lengths are 1, a mark for no cell."""
+    """Returns a cell's edges from CRYST1 (lengths, angles); {} if all lengths are 1: no cell."""
     (a, b, c), (cos_bc, cos_ac, cos_ab) = cell[:3], numpy.cos(numpy.radians(cell[3:]))
     sine = max(1e-9, math.sqrt(max(0.0, 1 - cos_ab**2)))
     slant = (cos_bc - cos_ac * cos_ab) / sine
@@ -360,12 +368,12 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name as CA, or as Na for an ion, whose residue has the same name."""
+    """Returns an atom's name: CA, in capitals; Na for an ion, whose residue has its name."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 
 def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> Any:
-    """Reads numbers from columns of `lines`, whose keys are line numbers of the file."""
+    """Returns the numbers in columns of `lines`, a dict whose keys are the file's line numbers."""
     table = numpy.empty((len(lines), len(columns)))
     for row, (place, line) in enumerate(lines.items()):
         try:

@@ -1,4 +1,4 @@
-"""Selects particles and polygons by conditions or labels, clusters by size, a label of an image.
+"""Selects particles and polygons by conditions, labels or the size of clusters; labels of images.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice
@@ -69,7 +69,7 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
 
 
 def _split_values(text: str) -> list[str]:
-    """Splits a list of values at commas outside quotes, removes quotes; returns [] if malformed."""
+    """Splits text at commas outside quotes, and removes quotes; returns [] if text is malformed."""
     values, place = list[str](), 0
     while place < len(text):
         found = _VALUE.match(text, place)
@@ -98,19 +98,17 @@ def choose(
 
     A vector is compared by its length, or by a component such as v_x or v:0. x, y and z are the
     coordinates unless arrays have these names. A cell array selects polygons; a point array of a
-    mesh selects polygons of which all points meet the condition. Strips are cut into triangles.
+    mesh selects the polygons whose points all meet the condition. Strips are cut into triangles.
 
-    If the array contains none of the values after =, such as one misspelt name, ValueError is
-    raised. Any other value after = or != that the array does not contain causes a warning. In place
-    of either, `note`, if given, is called with the message.
+    A `label` selects points or polygons by the array "label" or "labels". For an image, returns an
+    image that is 1 at the label and 0 elsewhere. Data without points are returned unchanged.
 
-    A label selects points or polygons by the array "label" or "labels". An image is set to 1 at the
-    label and 0 elsewhere.
+    Raises ValueError if the array has none of the values after =. Warns of each other value after =
+    or != that the array lacks. If `note` is given, `note` is called with the message instead of
+    the error or the warning.
 
-    Data without points are returned as they are.
-
-    Raises ValueError also if there is no such array, if < or > compares texts, if numbers are
-    compared with texts, if an image lacks the label, or a condition is malformed or for an image.
+    Raises ValueError also if an array does not exist, < or > compares texts, numbers are compared
+    with texts, an image lacks the label, a condition is malformed, or conditions are for an image.
     """
     if (where or label is not None) and data.IsA("vtkPolyData") and data.GetNumberOfStrips():
         data = triangles_of(data)
@@ -140,7 +138,7 @@ def choose_in(file: str | Path, *arguments: Any) -> Any:
 
 
 def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:
-    """Returns True for each value that meets the condition, else False."""
+    """Returns an array that is True for each value that meets the condition, else False."""
     name, sign, wanted = condition
     is_text = values.dtype.kind == "U"
     numbers = [number for text in wanted for number in _number(text)]
@@ -290,9 +288,10 @@ def _labels_in(data: Any) -> Any:
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
-    """Removes particles of clusters of fewer than `minimum` particles; the rest keep their order.
+    """Removes particles of clusters of fewer than `minimum` particles; keeps the particles' order.
 
-    Neighbours in a cluster are at most 1.5 spacings apart. Without a spacing, all particles stay.
+    Neighbours in a cluster are at most 1.5 times `spacing` apart. All particles are kept if
+    `spacing` is 0 or infinite.
     """
     from vtkmodules.vtkFiltersPoints import vtkEuclideanClusterExtraction
 

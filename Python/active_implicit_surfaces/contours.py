@@ -1,4 +1,7 @@
-"""Closed surface of an image, made as the filter's initial skin: no triangle is degenerate."""
+"""Levels of images, and the closed surface of an image at a level.
+
+The surface is an initial skin of the filter, so no triangle is degenerate.
+"""
 
 from __future__ import annotations
 
@@ -27,9 +30,9 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
     normals; empty unless there are values on both sides of the level.
 
-    Raises ValueError without scalars of one component, unless the image has no points. With values
-    on both sides, raises ValueError also for a flat image or too many voxels, and warns as the
-    filter does, for example of values that are not finite.
+    Raises ValueError if an image with points has no active scalars with one component. If there are
+    values on both sides, also raises ValueError if the filter reports an error, as for a flat image
+    or too many voxels, and warns if the filter warns, as of values that are not finite.
     """
     from . import vtkActiveImplicitSurface
 
@@ -57,10 +60,13 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
-    Mask (two values): midway between the values, inside above; if the lower value is negative,
-    inside is the value that is rarer at the image's border. Volume fractions (about 0 to 1, most
-    0 or 1): 0.5, inside above. Other images: 0, inside below. A given `level` is returned as it is;
-    inside is then above if above by these rules, or if most values at the border are below `level`.
+    - Mask (only two values): the level is midway between the values, inside above. If the lower
+      value is negative, inside is above only if most values at the image's border are the lower.
+    - Volume fractions (about 0 to 1, most 0 or 1): the level is 0.5, inside above.
+    - Other images: the level is 0, inside below.
+
+    A given `level` is returned unchanged. Inside is then above if these rules say so, or if most
+    values at the image's border are below `level`.
     """
     image, values = _with_point_values(image)
     border = _at_border(image, values)
@@ -73,7 +79,7 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
     """Returns one level for a series, and True if inside is above, by the rules of `usual_level`.
 
-    Raises ValueError if the images have several labels, or no inside by these rules.
+    Raises ValueError if the images have several labels, or nothing is inside by these rules.
     """
     every = [_with_point_values(image) for image in images]
     border = numpy.concatenate([_at_border(*one) for one in every])
@@ -107,7 +113,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """Returns an image that is 0 at the level and negative inside: `image` itself if it is so."""
+    """Returns an image that is 0 at the level and negative inside; `image` if it is already so."""
     if not above and level == 0:
         return image
     own, values = _with_point_values(image)
@@ -116,10 +122,11 @@ def as_level_set(image: Any, level: float, above: bool) -> Any:
 
 
 def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
-    """Returns a function that converts images of a series, by one rule from these `images`.
+    """Returns a function that converts all images of a series in one way, found from `images`.
 
-    Masks (only two values occur in `images`) become labels, 1 inside; other images become level
-    sets, negative inside. Raises ValueError like `level_of_series`.
+    If only two values occur in `images`, the images are masks, which become labels: 1 inside, 0
+    outside. Other images become level sets, negative inside. Raises ValueError as `level_of_series`
+    does.
     """
     own = [_at_pixels(one) for one in images]
     values = numpy.concatenate([values for _, values in own])
@@ -137,7 +144,7 @@ def _as_label(image: Any, level: float, above: bool) -> Any:
 
 
 def _at_pixels(image: Any) -> tuple[Any, Any]:
-    """Returns image and values; for cell values an image whose points are the cells' centres."""
+    """Returns an image and its values; for cell values, the image's points are cell centres."""
     if image.GetPointData().GetScalars() is not None or image.GetCellData().GetScalars() is None:
         return _with_point_values(image)
     values = vtk_to_numpy(image.GetCellData().GetScalars())
@@ -182,7 +189,7 @@ def _usual_level(values: Any, border: Any) -> tuple[float, bool]:
 
 
 def _with_point_values(image: Any) -> tuple[Any, Any]:
-    """Returns the image with point values, and the values."""
+    """Returns the image, with cell values converted to point values, and the point values."""
     if image.GetPointData().GetScalars() is None and image.GetCellData().GetScalars() is not None:
         image = output_of(vtkCellDataToPointData(), image)
     scalars = image.GetPointData().GetScalars()
@@ -200,9 +207,10 @@ def _voxel_size(image: Any) -> float:
 
 
 def _on_the_lattice(image: Any) -> tuple[Any, Any]:
-    """Moves the image's origin onto a node of the filter's lattice; returns image and offset.
+    """Returns a copy whose origin is moved to a node of the filter's lattice, and the offset.
 
-    With equal spacings, unrotated, all points are then nodes: values are not interpolated.
+    If the image has equal spacings and is not rotated, all points of the copy are nodes, so the
+    filter does not interpolate values.
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)

@@ -33,11 +33,12 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
 
     - particles (array (n, 3), vtkPointSet, or an object with `points` or `vertices`): all points
       are used; cells are left out, and so are field data other than a periodic box.
-    - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
-      "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; other names stay.
+    - **arrays (array (n,) or (n, k), optional): point arrays to add, named by the keyword, except
+      that ``velocities`` is named "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths``
+      "strength".
 
-    Raises TypeError for particles or arrays of a wrong type, and for uneven rows of positions;
-    ValueError for another wrong shape.
+    Raises TypeError if particles or arrays have a wrong type, or rows of positions differ in
+    length; ValueError if positions or an array have another wrong shape.
     """
     points, own = _points_of(particles)
     cloud = vtkPolyData()
@@ -53,7 +54,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
 
 
 def finite_points(cloud: Any) -> Any:
-    """Returns only the points with finite coordinates; without arrays, if points are removed.
+    """Returns `cloud` if all coordinates are finite, else its finite points, without arrays.
 
     The filter ignores points whose coordinates are not finite.
     """
@@ -84,7 +85,7 @@ def as_shape(shape: Any) -> Any:
     trimesh's), or with `points` and `cells` (as meshio's).
 
     Raises ValueError if a VTK mesh has neither polygons nor lines, `cells` has no polygons, or
-    `faces` is no table of numbers; TypeError for another object.
+    `faces` is no table of numbers; TypeError if `shape` is another object.
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape
@@ -148,7 +149,7 @@ def _is_vtk(thing: Any, name: str) -> bool:
 
 
 def _points_of(particles: Any) -> tuple[Any, Any]:
-    """Returns the particles' vtkPoints, and the point arrays of a VTK object, else None."""
+    """Returns the vtkPoints of particles, and the point data of a VTK object (else None)."""
     if is_vtk(particles):
         if not particles.IsA("vtkPointSet"):
             raise TypeError(
@@ -198,7 +199,7 @@ def vtk_points(positions: Any) -> Any:
 
 
 def points_of(data: Any) -> Any:
-    """Returns the coordinates, an array (n, 3)."""
+    """Returns the coordinates of the points of `data`, an array (n, 3)."""
     points = data.GetPoints()
     return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
 
@@ -212,7 +213,7 @@ def _without_mask(values: Any) -> Any:
 
 
 def _point_data(particles: Any) -> Mapping[str, Any]:
-    """Returns the point arrays of an object like meshio's."""
+    """Returns the point arrays of an object like meshio's, by name; {} for other objects."""
     if is_vtk(particles):
         return {}
     data = getattr(particles, "point_data", {})
@@ -238,9 +239,9 @@ def array_names(attributes: Any) -> list[str]:
 
 
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
-    """Adds an array to the points, or to `attributes`; shares the memory of numbers if possible.
+    """Adds an array to `attributes`, by default those of the points; shares memory if possible.
 
-    Texts become a vtkStringArray, masked numbers NaN.
+    Texts are copied to a vtkStringArray; masked numbers become NaN.
     """
     if numpy.ma.is_masked(values) and values.dtype.kind in "biuf":
         values = _without_mask(values)
@@ -278,7 +279,7 @@ def _string_array(texts: Any) -> Any:
 
 
 def texts_of(attributes: Any, name: str) -> Any:
-    """Returns a named vtkStringArray of one component as a numpy array; None if there is none."""
+    """Returns the vtkStringArray `name` of one component as a numpy array; None if missing."""
     array = attributes.GetAbstractArray(name)
     if array is None or not array.IsA("vtkStringArray") or array.GetNumberOfComponents() != 1:
         return None

@@ -1,4 +1,4 @@
-"""X display for pictures, if VTK needs one: the user's display, else a virtual one."""
+"""X display for pictures, if VTK needs a display: the user's, else a virtual display."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def vtk_version() -> tuple[int, ...]:
 
 
 def find_display() -> None:
-    """Starts a virtual display if DISPLAY is not set and VTK would end the program without one.
+    """Starts a virtual display if VTK needs a display to draw, and DISPLAY is not set.
 
     The display ends with the calling thread, so call find_display from a thread that stays alive.
 

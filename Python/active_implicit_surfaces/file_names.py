@@ -32,7 +32,7 @@ _ROUNDING = 1e-12  # tolerance of equal times, relative to the index's largest t
 
 
 class Listing(NamedTuple):
-    """Files (parts) of each frame; times of an index; a warning about the names, or ""."""
+    """Files (parts) of each frame; times, if from an index; a warning about the names, or ""."""
 
     frames: list[tuple[Path, ...]]
     times: list[float] | None = None
@@ -47,7 +47,7 @@ class Listing(NamedTuple):
 def natural_key(name: str | Path, numbers: re.Pattern[str] | None = None) -> list[Any]:
     """Returns a sort key that compares numbers, with decimals and exponent, by value.
 
-    `numbers` finds the numbers; without this pattern, a minus after a letter is a hyphen.
+    `numbers` finds the numbers. Without `numbers`, a minus after a letter or digit is a hyphen.
     """
     parts = (numbers or _numbers_in([str(name)])).split(str(name))
     return [_value(part) if i % 2 else part for i, part in enumerate(parts)]
@@ -60,9 +60,9 @@ def _value(text: str) -> float:
 def _numbers_in(names: list[str]) -> re.Pattern[str]:
     """Returns a pattern that finds the numbers in the names of a series.
 
-    Minuses after letters or digits are signs if, where the names first differ, one has a minus and
-    another a digit (t-1, t0), else hyphens (run-1, run-2). A dot separates two counters if the
-    numbers cannot be decimals (1.9, 1.10).
+    At the first character in which the names differ, if a name has a minus and another name a digit
+    (t-1, t0), minuses are signs; else a minus after a letter or digit is a hyphen (run-1, run-2). A
+    dot separates two counters if the numbers cannot be decimals (1.9, 1.10).
     """
     start = len(os.path.commonprefix(names))
     after = {name[start : start + 1] for name in names}
@@ -88,11 +88,11 @@ def suffix_of(name: str | Path) -> str:
 
 
 def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:
-    """Expands names, patterns, folders or one index to files. Only the name of a file may be a
-    pattern. A folder stands for its series of files with `known` extensions.
+    """Returns the files that names, patterns and folders, or one index, stand for.
 
-    Raises OSError if a file is missing, a pattern fits no file, a folder has no series or several,
-    or an index cannot be read or lists no file.
+    In a pattern only the name of the file varies, not the folder. A folder stands for its series of
+    files with `known` extensions. Raises OSError if no name is given, a file is missing, a pattern
+    fits no file, a folder has no series or several, or an index cannot be read or lists no file.
     """
     several = [names] if isinstance(names, (str, Path)) else names
     given = [Path(name).expanduser() for name in several]
@@ -111,7 +111,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names combine two numbers in all pairs (one may count parts); else ""."""
+    """Returns a note if names have all pairs of two running numbers (parts of frames?); else ""."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -222,7 +222,7 @@ def read_index(index: Path) -> Listing:
 
 
 def _beside(index: Path, name: str) -> Path:
-    """Returns the path of a listed file; an index may use folder separators of Unix or Windows."""
+    """Returns the path of a file that an index lists with separators of Unix or Windows."""
     path = index.parent / name
     return path if path.exists() else index.parent / name.replace("\\", "/")
 
@@ -290,9 +290,10 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
 
 
 def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
-    """Returns the name for a label; the label replaces a #### that frames do not need.
+    """Returns the name for a label; the label replaces the first #### if frames do not need it.
 
-    Without such a #### the label is added if there are several labels.
+    A series needs one ####, one frame needs none. If no #### is left for the label, the label is
+    added to the name if there are several labels.
     """
     path = Path(name)
     marks = list(_NUMBER.finditer(path.name))
@@ -320,7 +321,7 @@ def numbers_of(files: Sequence[str | Path]) -> list[int]:
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """Returns for each name the only number that differs, if increasing; else 0, 1, 2 ..."""
+    """Returns the only numbers in which names differ, if these increase; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
@@ -360,7 +361,7 @@ def make_folder_of(path: Path) -> None:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Yields a temporary name to write to; without an exception the file is renamed to `path`.
+    """Yields a temporary name to write to; renames the file to `path`, or on errors deletes it.
 
     Raises OSError if the file cannot be written, or if the name is of a folder, pipe or device.
     """

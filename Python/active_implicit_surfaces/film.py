@@ -23,8 +23,10 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 
 def check_film(path: Path) -> None:
-    """Raises ValueError for an unknown format, OSError if ffmpeg (for .mp4) or a display is
-    missing, ImportError if VTK or this build lacks a module that `render` needs (for .exr).
+    """Raises an error if a film cannot be written.
+
+    ValueError: the format is unknown. OSError: a display is missing, or, for an .mp4, the program
+    ffmpeg. ImportError: for an .exr, VTK or this build lacks a module that `render` needs.
     """
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:
@@ -45,8 +47,9 @@ class Film(Sink):
     - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
     - times (list of float): times of the pictures [time].
     - numbers (list of int): frame numbers, for the names of pictures.
-    - fps (float, optional): frames per second [1/time], rounded in an .ogv. Default: the mean frame
-      rate of the times if 1 to 240, else 25.
+    - fps (float, optional): frames per second [1/time]; an .ogv has a whole number. Default: the
+      mean frame rate of `times` if the rate is 1 to 240, else 25.
+    - time_scale (float): factor of the intervals of `times`, for the motion in an .exr. Default: 1.
     """
 
     def __init__(
@@ -78,7 +81,7 @@ class Film(Sink):
         self._ending.__exit__(*error)
 
     def add(self, step: int, skin: Any) -> None:
-        """Renders the skin of a step."""
+        """Renders the skin of a step, and writes the picture."""
         self.scene.show(skin)
         if self._stream is not None:
             self._stream.write(self.scene.picture())

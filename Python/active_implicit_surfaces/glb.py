@@ -43,9 +43,9 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
     floats. Arrays of more than 4 components are split into _NAME_0 ...; if the arrays differ in
     their number of components, vectors are split into _NAME_X, _NAME_Y ...
-    Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up in
-    glTF. If single precision is too coarse, vertices are relative to an origin, which the
-    node's translation adds.
+    Vertices have the data's coordinates. If single precision is too coarse, vertices are relative
+    to an origin, which the node's translation adds. The node rotates the data's axis `up` to y,
+    which is up in glTF.
     """
     origin = origin_for_floats(mesh)
     warn_of_rounding(".glb", mesh, origin)
@@ -176,12 +176,12 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 
 
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
-    """Raises OSError unless a .glb's accessors, and references to them, meshes and nodes are valid.
+    """Checks accessors and references in a .glb, because VTK does not check.
 
-    VTK does not check.
+    Returns three values: True if this package wrote the file, whose vertices then have the data's
+    axes; True if the file has meshes; the origin to add to the vertices, or None for no origin.
 
-    Returns three values: True for a file of this package, whose vertices have the data's axes; True
-    for a file with meshes; the origin to add to the vertices, None for 0.
+    Raises OSError if an accessor, or a reference to an accessor, a mesh or a node, is not valid.
     """
     try:
         with path.open("rb") as file:
@@ -245,7 +245,7 @@ def _check_primitive(accessors: Any, primitive: Any) -> None:
 
 
 def _check_references(content: Any) -> None:
-    """Checks references of scenes to nodes, and of nodes to meshes and child nodes."""
+    """Raises ValueError if a reference between scenes, nodes and meshes is invalid."""
     nodes, meshes = content.get("nodes", []), content.get("meshes", [])
     above = [0] * len(nodes)
     for node in nodes:

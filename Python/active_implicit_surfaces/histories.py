@@ -20,7 +20,7 @@ _PLOTTED = ("Volume", "Area", "Components")
 
 
 def history(surface: Any) -> dict[str, Any]:
-    """Returns the history of a filter: an array for each column, an entry for each row.
+    """Returns the history of a filter: for each column, an array with a value for each row.
 
     Parameters
     ----------
@@ -29,15 +29,15 @@ def history(surface: Any) -> dict[str, Any]:
     Returns
     -------
     dict of str to array
-        Time, Area, Volume, Components, Voids, Event and more; a table of pandas is
-        ``pandas.DataFrame(history(surface))``.
+        The keys are Time, Area, Volume, Components, Voids, Event and more.
+        ``pandas.DataFrame(history(surface))`` makes a table of pandas.
 
     Raises
     ------
     ValueError
         There is no history yet, or this is another rank than rank 0.
     TypeError
-        Another object is given.
+        `surface` is another object.
 
     Examples
     --------
@@ -83,14 +83,18 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
 
     Returns
     -------
-    list of axes
+    list of matplotlib axes
+        One for each column.
 
     Raises
     ------
     ImportError
         No axes are given, and matplotlib is not installed.
     ValueError
-        There is no such column or no history, or the numbers of columns and `axes` differ.
+        The history has no such column, there is no history, or the numbers of `columns` and `axes`
+        differ.
+    TypeError
+        `surface` is another object.
     """
     held, columns = history(surface), [columns] if isinstance(columns, str) else columns
     if unknown := [name for name in columns if name not in held]:

@@ -29,9 +29,10 @@ _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGz
 
 
 def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
-    """Reads a file of IMAGE_SUFFIXES other than .vti; `update` returns a reader's output.
+    """Reads a file of IMAGE_SUFFIXES other than .vti by `reader`, VTK's reader of this format.
 
-    Raises OSError if the file is damaged, incomplete, or of an unsupported encoding.
+    `update` updates a reader and returns its output. Raises OSError if the file is damaged or
+    incomplete, or has an unsupported encoding.
     """
     try:
         if ".nii" in path.name.lower()[-7:]:
@@ -91,7 +92,7 @@ def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
 
 
 def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
-    """Returns the header, and the uncompressed values."""
+    """Returns the fields of the header, and the values as uncompressed bytes."""
     content, is_meta = path.read_bytes(), ".mh" in path.suffix.lower()
     end = re.search(rb"ElementDataFile\s*=.*\n?" if is_meta else rb"\r?\n\r?\n|\s*\Z", content)
     if end is None:
@@ -119,7 +120,7 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
 def _read_nrrd(
     path: Path, fields: dict[str, str], values: bytes, reader: Any, update: Callable[[Any], Any]
 ) -> Any:
-    """Lets VTK read only the values, and sets spacing and position of the image."""
+    """Reads a .nrrd: VTK reads only the values; spacing and position are set here."""
     sizes = fields["sizes"].split()
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(

@@ -19,9 +19,9 @@ from .times import check_number
 class LiveSurface:
     """Skin over a running simulation: `advance` reads a frame's particles and returns their skin.
 
-    A call costs one frame, whatever the number of earlier frames. With `particle_spacing`, without
-    a preset, and with particles in the first frame, the skins are bitwise those of `frames` at the
-    same times, except the array "Velocity".
+    The cost of a call does not depend on the number of earlier frames. If `particle_spacing` is
+    given, no preset is given, and the first frame has particles, the skins are bitwise identical to
+    those of `frames` at the same times, except the array "Velocity".
 
     Parameters
     ----------
@@ -36,6 +36,7 @@ class LiveSurface:
     Attributes
     ----------
     surface : vtkActiveImplicitSurface
+        The filter, for example for `history`.
     time : float or None
         Time of the last skin; None before the first skin.
 
@@ -77,26 +78,27 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. Arrays are not copied, but may be overwritten for the next call.
+            See `skin`. Arrays are not copied. After the call you may overwrite their values.
         dt : float
-            Time since the last call [time], more than 0 and finite. The first skin is at `start`,
-            or at the time of `resume`, whatever the first dt; a preset derives its rates from the
-            first dt.
+            Time since the last call [time], more than 0 and finite. In the first call, `dt` does
+            not change the time of the skin, which is `start` or the time saved in `resume`; a
+            preset derives its rates from this `dt`.
         **arrays
             Point arrays: ``ids=``, ``velocities=``, or any name.
 
         Returns
         -------
         vtkPolyData
-            A pyvista.PolyData if the particles are PyVista's.
+            The skin; a pyvista.PolyData if the particles are PyVista's.
 
         Raises
         ------
         ValueError
-            Wrong `dt`, value or array, or an error of the filter; the next call continues the
-            motion.
+            `dt`, a value or an array does not fit, or the filter reports an error. The next call
+            continues the motion.
         TypeError
-            Unknown key in `arrays` of the class, or particles or a value of a wrong type.
+            The argument `arrays` of the class has an unknown key, or particles or a value have a
+            wrong type.
         """
         check_number("dt", dt)
         if not 0 < dt < float("inf"):

@@ -22,9 +22,9 @@ from .mesh_writers import polygons_of
 def measure(mesh: Any) -> dict[str, Any]:
     """Measures the polygons and strips of a vtkPolyData; coincident points are merged.
 
-    Returns dict: area [length^2]; volume [length^3], negative if polygons face inward; numbers of
-    pieces (connected surfaces of positive volume), voids (of negative volume) and open edges (of
-    only one polygon).
+    Returns a dict: "area" [length^2]; "volume" [length^3], negative if polygons face inward;
+    "pieces", the number of connected surfaces of positive volume; "voids", the number of connected
+    surfaces of negative volume; "open edges", the number of edges that have only one polygon.
     """
     places, numbers = numpy.unique(points_of(mesh), axis=0, return_inverse=True)
     places, fans = places.astype(float), [numpy.zeros((0, 3), int)]

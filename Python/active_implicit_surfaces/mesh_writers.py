@@ -1,6 +1,6 @@
 """Writes meshes as .ply, .obj and .stl, and particles as .ply.
 
-VTK's own writers drop point arrays, some of them also normals or digits.
+VTK's own writers of these formats drop point arrays; some writers also drop normals or digits.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
     """Returns normals, colours (0 to 255), and the other numeric point arrays by name.
 
-    Colours are the first array of bytes with 3 or 4 components. Missing normals or colours: None.
+    Colours are the first array of bytes with 3 or 4 components. Normals or colours that are missing
+    are None.
     """
     roles, others = dict[str, Any](), dict[str, Any]()
     for role, name, array in _point_arrays(data):
@@ -48,7 +49,7 @@ def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
 
 
 def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
-    """Returns role, name and array of each point array."""
+    """Returns a tuple (role, name, array) for each point array."""
     own, found = data.GetPointData(), list[tuple[str, str, Any]]()
     for i in range(own.GetNumberOfArrays()):
         array, role = own.GetAbstractArray(i), "numbers"
@@ -64,8 +65,9 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
 
 
 def warn_of_losses(suffix: str, data: Any) -> None:
-    """Warns of point arrays and, except for .vdb, of cell arrays and lines that a format cannot
-    store, and names formats that can.
+    """Warns of point arrays, cell arrays and lines that a format cannot store.
+
+    Names formats that can store them. For a .vdb, warns only of point arrays.
     """
     found = [(role, name) for role, name, _ in _point_arrays(data)]
     found += [("cells", f"{name} (of cells)") for name in array_names(data.GetCellData())]
@@ -83,9 +85,9 @@ def warn_of_losses(suffix: str, data: Any) -> None:
 
 
 def origin_for_floats(mesh: Any) -> Any:
-    """Returns an origin near a mesh if coordinates are too large for single precision; else 0.
+    """Returns the centre of a mesh's box if single precision is too coarse for points; else zeros.
 
-    The origin itself is exact in single precision.
+    The centre is rounded to single precision.
     """
     points = points_of(mesh)
     if _rounding(points) <= _ROUNDING * edge_of(mesh):
@@ -94,8 +96,10 @@ def origin_for_floats(mesh: Any) -> Any:
 
 
 def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
-    """Warns of rounding to single precision: of points, relative to `origin`, that move visibly,
-    and of integers in point arrays that the format stores.
+    """Warns if rounding to single precision moves points visibly, or changes integers.
+
+    Points are rounded relative to `origin`. Integers are those of point arrays, if the format
+    stores such arrays.
     """
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
@@ -210,7 +214,7 @@ def write_obj(path: Path, mesh: Any) -> None:
 
 
 def polygons_of(mesh: Any) -> list[Any]:
-    """Returns the corners of polygons: an array (n, k) for each number of corners k.
+    """Returns point ids of polygons: a list with an array (n, k) for each number k of corners.
 
     If the mesh has strips, its polygons and strips are cut into triangles.
     """
@@ -218,7 +222,10 @@ def polygons_of(mesh: Any) -> list[Any]:
 
 
 def triangles_of(mesh: Any) -> Any:
-    """Cuts polygons and strips into triangles, if the mesh has strips or larger polygons."""
+    """Cuts polygons and strips into triangles, if the mesh has strips or larger polygons.
+
+    Lines and vertices are then left out. Else returns the mesh itself.
+    """
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):
@@ -241,7 +248,7 @@ def _corners(cells: Any, least: int) -> list[Any]:
 
 
 def _columns(mesh: Any) -> list[tuple[str, str, Any]]:
-    """Returns the properties of a .ply vertex: name, type, values."""
+    """Returns a tuple (name, key of _PLY_TYPES, values) for each property of a .ply's vertices."""
     normals, colours, others = arrays_of(mesh)
     parts = [(["x", "y", "z"], points_of(mesh))]
     if normals is not None:

@@ -25,22 +25,26 @@ class morph(Skins):
 
     No point correspondence is needed: the surface moves along its normal, splits and merges. Unless
     ``attraction`` is given, each point of the surface moves at constant speed and arrives at the
-    end. Parts that only `a` has shrink; those of only `b` grow, unless ``create_parts=False``.
+    end. Parts that only `a` has shrink. Parts that only `b` has grow, unless
+    ``create_parts=False``.
 
     Parameters
     ----------
     a, b : vtkPolyData, vtkImageData, vtkImplicitFunction, or an object with `vertices` and `faces`
-        Closed meshes, or images: masks of a label, volume fractions (inside above 0.5) or
-        distances (inside below 0); for other images set ``target_iso_value`` and
-        ``invert_target``. Objects of PyVista, trimesh and meshio are accepted.
+        First and last shape. Meshes have to be closed. Images may be masks of a label, volume
+        fractions (inside above 0.5) or distances (inside below 0); for other images set
+        ``target_iso_value`` and ``invert_target``. Objects of PyVista, trimesh and meshio are
+        accepted.
     duration : float
-        Time [time] at which `b` is reached, unless ``attraction`` is given: to a tenth of a voxel
-        for meshes, images of distances and functions that are distances. More than 0. Default: 1.
+        Time of the last skin [time], more than 0. Default: 1. Unless ``attraction`` is given, the
+        last skin is `b`: to a tenth of a voxel if the shapes are meshes, images of distances, or
+        functions that are distances.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str
-        Moves `b` to `a` first, for other units or positions: "none", "centre" (of the bounds), or
-        "box" (also scales to the longest side of `a`'s bounds). Default: "none".
+        Before the morph, moves `b` to `a`, for shapes in different units or positions. "none" does
+        not move `b`; "centre" moves the centre of the bounds; "box" also scales `b` to the longest
+        side of the bounds of `a`. Default: "none".
     progress : callable(int, int), optional
         Called after each skin with the numbers of finished skins and of all skins.
     **options
@@ -50,26 +54,31 @@ class morph(Skins):
     Yields
     ------
     Frame
-        `time` and `skin`, a vtkPolyData (a pyvista.PolyData if `a` is PyVista's).
+        Named tuple (time, skin). The skin is a vtkPolyData, or a pyvista.PolyData if `a` is of
+        PyVista.
 
     Raises
     ------
     ValueError
-        A value is out of range, `frames` is no whole number, a shape is not usable, the filter
-        reports an error (the text is the filter's message), or a skin is empty although `b` is not.
+        A value is out of range, `frames` is no whole number, a shape is not usable, a skin is empty
+        although `b` is not, or the filter reports an error. The exception then has the filter's
+        message.
     TypeError
-        Unknown keyword (the text names a similar one, if any), a keyword that duration and
-        frames replace, a shape or another value of a wrong type, or `fit` with a function.
+        A keyword is unknown (the message names a similar keyword, if any), or is replaced by
+        `duration` and `frames`; a shape or another value has a wrong type; or `fit` is given with a
+        function.
 
     Warns
     -----
     UserWarning
-        After `fit`, the longest sides of the shapes' bounds differ by a factor of more than 1.5, or
-        the bounds' centres are farther apart than half of the longer side; or the filter warns.
+        The filter warns. Or, for meshes and images after `fit`, the longest sides of the bounds of
+        `a` and `b` differ by a factor of more than 1.5, or the centres of the bounds are farther
+        apart than half of the longer of these sides.
 
     Attributes
     ----------
     surface : vtkActiveImplicitSurface
+        The filter, for example for `history`.
 
     Examples
     --------
@@ -122,7 +131,10 @@ class morph(Skins):
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
     def make(self, step: int) -> Any:
-        """Makes a skin as Skins does; raises ValueError if the skin is empty but `b` is not."""
+        """Returns the skin at a step, as Skins.make does.
+
+        Raises ValueError if the skin is empty, but `b` is not.
+        """
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(
@@ -166,9 +178,9 @@ def _count_of(frames: Any) -> int:
 
 
 def _prepared(shape: Any, which: str, has_usual_level: bool) -> Any:
-    """Returns a function, mesh or image; an image as a level set if `has_usual_level` is true.
+    """Returns a shape as a function, a mesh or an image.
 
-    Errors name the shape.
+    Images become level sets if `has_usual_level` is true. Errors name the shape by `which`.
     """
     if _is_function(shape):
         return shape

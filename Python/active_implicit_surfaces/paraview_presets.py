@@ -24,10 +24,10 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
 
     The values appear in the panel, where the user can change them, and are saved in state files.
-    Values depend on the particles at the first time step (radii, and the spacing unless Particle
-    Spacing is set), the median time between two steps, and Time Scale. The particles are sent to
-    the client. Properties that only other presets set return to their defaults, except a voxel
-    size, a kernel radius or a radius array set by the user.
+    Values depend on the particles at the first time step (their radii, and their spacing unless
+    Particle Spacing is set), the median time between two steps, and Time Scale. The particles are
+    sent to the client. Properties that only other presets set return to their defaults, except a
+    voxel size, a kernel radius or a radius array that the user has set.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     Returns
     -------
     dict
-        The properties that were set, by their names in ParaView.
+        Values of the properties that the preset has set, by the properties' names in ParaView.
 
     Raises
     ------
@@ -90,7 +90,7 @@ def _changes(name: str, frames: TemporalSource, given: dict[str, Any]) -> dict[s
 
 
 def _values(value: Any) -> list[str]:
-    """Returns the elements of a property, which ParaView returns as a list or as one value."""
+    """Returns the elements of a value as texts; ParaView returns a list, or one value itself."""
     return [str(part) for part in ([value] if isinstance(value, (int, float)) else value)]
 
 

@@ -90,9 +90,9 @@ class ParticleFiles:
     def load(self, step: int) -> Any:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
-        Raises OSError if the file cannot be read, or its data are no point set or image; ValueError
-        as `choose` does. In a series, a condition's value that no particle has causes only a
-        warning, and images may lack the label.
+        Raises OSError if the file cannot be read, or its data are no point set or image, and
+        ValueError as `choose` does. In a series, however, images may lack the label, and a
+        condition's value that no particle has causes only a warning.
         """
         data = self._loaders[step]()
         if len(self) > 1 and data.IsA("vtkImageData") != (self.kind == "vtkImageData"):
@@ -132,7 +132,8 @@ def open_particles(
 
     `where` selects particles; `label` selects particles, or a label of images (see choice.choose).
     Times follow from `times`, else from `fps`, else from the index or the files, else from 25
-    frames per second. With frames per second, gaps in file numbers are gaps in time.
+    frames per second. If times follow from frames per second, gaps in the numbers of files are gaps
+    in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
@@ -205,7 +206,7 @@ def _note(noted: set[str], path: Path, text: str) -> None:
 
 
 def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:
-    """Returns a loader for each frame of a file, and the frames' times, or None if unknown."""
+    """Returns a loader for each frame of a file, and the frames' times (None if unknown)."""
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _OWN_READERS:
@@ -310,7 +311,7 @@ def _append(clouds: list[Any]) -> Any:
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """Returns the times in the files; None unless each file has one time and the times increase."""
+    """Returns the time in each file; None unless each file has one time and the times increase."""
     readers = {
         **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
         ".vdb": _time_of_vdb,

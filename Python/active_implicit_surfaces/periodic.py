@@ -14,9 +14,9 @@ _ROUNDING = 1e-6  # tolerance of equal boxes, relative to the longest edge
 def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     """Returns the value of PeriodicBounds for particles in a box.
 
-    - frames (iterable of vtkDataSet): data with the field data "Lattice", edges of the box as rows
-      [length]; optionally "Origin", a corner of the box [length], and "pbc", a flag for each axis
-      (1: periodic).
+    - frames (iterable of vtkDataSet): data sets that have the field data "Lattice", edges of the
+      box as rows [length]. Optional field data: "Origin", a corner of the box [length], and "pbc",
+      a flag for each axis (1: periodic).
 
     Raises ValueError if there is no box, or if the box is slanted, not periodic, or changes.
     """
@@ -32,7 +32,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
 
 
 def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
-    """Adds the box of the source to the options; raises ValueError if periodic_bounds are given."""
+    """Returns options with the source's box; raises ValueError if they have periodic_bounds."""
     if "periodic_bounds" in options:
         raise ValueError("Give either periodic or periodic_bounds, not both.")
     return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}

@@ -54,7 +54,8 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; scalar properties of vertices and polygons become arrays.
 
-    If there are strips too, properties of polygons are left out, with a warning.
+    List properties of polygons are left out, with a warning; if the file also has strips, all
+    properties of polygons.
 
     Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """

@@ -1,7 +1,7 @@
 """Presets: named sets of property values, scaled to the data.
 
-Lengths scale with the particle spacing or the particles' radii, rates with 1 / (time between two
-frames).
+Lengths scale with the particle spacing or the particles' radii. Rates scale with 1 / (time between
+two frames).
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _STEPS = 6.0  # distances fall by a factor e^6 per frame, as by the automatic At
 def apply_preset(
     surface: Any, source: Any, name: str, interval: float | None, options: Mapping[str, Any]
 ) -> None:
-    """Sets the properties of a preset; `options` are set later and override the preset."""
+    """Sets a preset's properties; the caller sets `options` later, which override the preset."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
     if name in ("molecule", "grains"):
@@ -55,8 +55,8 @@ def apply_preset(
 def estimate_spacing(cloud: Any) -> float:
     """Estimates the spacing as the median distance to the third nearest particle.
 
-    Of two or three particles, the distance to the farthest counts. Unlike the filter, ignores radii
-    and periodic boxes. Returns 0 for fewer than two particles.
+    For two or three particles, uses the distance to the farthest particle. Returns 0 for fewer than
+    two particles. Unlike the filter's estimate, does not depend on radii and periodic boxes.
     """
     cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()
@@ -75,7 +75,7 @@ def estimate_spacing(cloud: Any) -> float:
 
 
 def describe_precision(cloud: Any, spacing: float) -> list[str]:
-    """Returns a warning if positions in single precision are too coarse for a spacing."""
+    """Returns a list with a warning if single precision is too coarse for a spacing; else []."""
     points = points_of(finite_points(cloud))
     if points.dtype.itemsize > 4 or len(points) == 0:
         return []
@@ -96,7 +96,7 @@ def is_point_cloud(data: Any) -> bool:
 
 
 def series_spacing(frames: list[Any]) -> float:
-    """Returns the least positive spacing of a frame; 0 if no frame has one.
+    """Returns the least positive spacing that is estimated in a frame; 0 if there is none.
 
     Frames with less than a tenth of the largest number of particles, as early spray, are ignored.
     """
@@ -120,8 +120,11 @@ def median_step(times: list[float]) -> float:
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sets SUM with short kernels; radii: the chosen array, else one value if "kernel_radius" is in
-    `options`, else the array "radius", else one value.
+    """Sets the model SUM with short kernels.
+
+    Radii are the chosen array, or, if none is chosen and "kernel_radius" is not in `options`, the
+    array "radius". Without an array, the kernel radius is that in `options`, else one that follows
+    from the spacing.
     """
     first = source.first_frame()
     name = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())

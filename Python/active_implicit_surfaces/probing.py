@@ -1,4 +1,4 @@
-"""Converts a series of atoms to images of their solvent-excluded surface; adds arrays to the skin.
+"""Converts atoms to images of their solvent-excluded surface; adds atoms' arrays to the skin.
 
 >>> import active_implicit_surfaces as active
 >>> skin = active.skin([[0, 0, 0], [3, 0, 0]], radii=[1.7, 1.7], probe=1.4)
