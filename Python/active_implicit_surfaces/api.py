@@ -74,8 +74,8 @@ def skin(
     Raises
     ------
     ValueError
-        A value or an array does not fit, or the filter reports an error. The exception then has
-        the filter's message.
+        A value or an array does not fit, or the filter reports an error, whose text is the
+        exception's message.
     TypeError
         A keyword is unknown (the message names a similar keyword, if any), or particles or a value
         have a wrong type.
@@ -164,7 +164,7 @@ class frames(Skins):
     ------
     ValueError
         A value, a time or an array does not fit, no particle is selected, or the filter reports an
-        error. The exception then has the filter's message.
+        error, whose text is the exception's message.
     TypeError
         A keyword is unknown (the message names a similar keyword, if any), particles or a value
         have a wrong type, or `particles` is a function, but `times` are not given.
@@ -248,7 +248,10 @@ class frames(Skins):
         self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
 
     def make(self, step: int) -> Any:
-        """Returns the filter's own output at a step; with a probe, with requested atom arrays."""
+        """Returns the filter's own output at a step.
+
+        With a probe, adds the arrays of the nearest atoms if they are requested.
+        """
         skin = super().make(step)
         if self._atoms:
             self._atoms.add_arrays(skin, self.times[step])

@@ -156,7 +156,7 @@ def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Adds atomic numbers, radii and element symbols, unless no symbol has a known radius.
+    """Adds atomic numbers, radii and element symbols if any symbol has a known radius.
 
     Radii and element symbols that a frame has already are kept. If `are_names` is true, symbols
     are read as names of atoms; else `_elements_of` decides. `unit` is the length of one Angstrom in
@@ -368,7 +368,10 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """Returns an atom's name: CA, in capitals; Na for an ion, whose residue has its name."""
+    """Returns an atom's name in capitals, such as CA.
+
+    If the residue has the same name, the atom is an ion: returns an element symbol, such as Na.
+    """
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 

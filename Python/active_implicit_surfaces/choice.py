@@ -1,4 +1,4 @@
-"""Selects particles and polygons by conditions, labels or the size of clusters; labels of images.
+"""Selects particles and polygons by conditions, labels or size of clusters, and voxels by labels.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice

@@ -61,7 +61,8 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """Returns the level of an image, and True if inside is above the level.
 
     - Mask (only two values): the level is midway between the values, inside above. If the lower
-      value is negative, inside is above only if most values at the image's border are the lower.
+      value is negative, inside is above only if most values at the image's border are the lower
+      value.
     - Volume fractions (about 0 to 1, most 0 or 1): the level is 0.5, inside above.
     - Other images: the level is 0, inside below.
 

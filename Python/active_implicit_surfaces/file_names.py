@@ -90,9 +90,10 @@ def suffix_of(name: str | Path) -> str:
 def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:
     """Returns the files that names, patterns and folders, or one index, stand for.
 
-    In a pattern only the name of the file varies, not the folder. A folder stands for its series of
-    files with `known` extensions. Raises OSError if no name is given, a file is missing, a pattern
-    fits no file, a folder has no series or several, or an index cannot be read or lists no file.
+    Only the name of a file, not that of its folder, may be a pattern. A folder stands for its
+    series of files with `known` extensions. Raises OSError if no name is given, a file is missing,
+    a pattern fits no file, a folder has no series or several, or an index cannot be read or lists
+    no file.
     """
     several = [names] if isinstance(names, (str, Path)) else names
     given = [Path(name).expanduser() for name in several]
@@ -111,7 +112,10 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """Returns a note if names have all pairs of two running numbers (parts of frames?); else ""."""
+    """Returns a note if names have two running numbers, in all pairs; else "".
+
+    One of the numbers may count the parts of a frame.
+    """
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -222,7 +226,7 @@ def read_index(index: Path) -> Listing:
 
 
 def _beside(index: Path, name: str) -> Path:
-    """Returns the path of a file that an index lists with separators of Unix or Windows."""
+    """Returns the path of a file that an index lists with folder separators of Unix or Windows."""
     path = index.parent / name
     return path if path.exists() else index.parent / name.replace("\\", "/")
 
@@ -321,7 +325,10 @@ def numbers_of(files: Sequence[str | Path]) -> list[int]:
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """Returns the only numbers in which names differ, if these increase; else 0, 1, 2 ..."""
+    """Returns a number for each name.
+
+    If the names differ only in one number, which increases, returns its values; else 0, 1, 2 ...
+    """
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
@@ -363,7 +370,7 @@ def make_folder_of(path: Path) -> None:
 def replacing(path: Path) -> Iterator[Path]:
     """Yields a temporary name to write to; renames the file to `path`, or on errors deletes it.
 
-    Raises OSError if the file cannot be written, or if the name is of a folder, pipe or device.
+    Raises OSError if the file cannot be written, or `path` is a folder, a pipe or a device.
     """
     if path.exists() and not path.is_file():
         raise OSError(

@@ -25,8 +25,9 @@ FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 def check_film(path: Path) -> None:
     """Raises an error if a film cannot be written.
 
-    ValueError: the format is unknown. OSError: a display is missing, or, for an .mp4, the program
-    ffmpeg. ImportError: for an .exr, VTK or this build lacks a module that `render` needs.
+    - ValueError: the format is unknown.
+    - OSError: VTK needs a display, but there is none; or the program ffmpeg is missing (.mp4).
+    - ImportError: VTK or this build lacks a module that `render` needs (.exr).
     """
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:

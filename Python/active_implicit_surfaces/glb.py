@@ -245,7 +245,10 @@ def _check_primitive(accessors: Any, primitive: Any) -> None:
 
 
 def _check_references(content: Any) -> None:
-    """Raises ValueError if a reference between scenes, nodes and meshes is invalid."""
+    """Raises ValueError if a reference between scenes, nodes and meshes is invalid.
+
+    A node may have only one parent, and a scene may refer only to nodes without a parent.
+    """
     nodes, meshes = content.get("nodes", []), content.get("meshes", [])
     above = [0] * len(nodes)
     for node in nodes:

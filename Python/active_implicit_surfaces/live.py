@@ -78,7 +78,8 @@ class LiveSurface:
         Parameters
         ----------
         particles
-            See `skin`. Arrays are not copied. After the call you may overwrite their values.
+            See `skin`. The filter shares the memory of arrays if possible. You may overwrite the
+            arrays for the next call.
         dt : float
             Time since the last call [time], more than 0 and finite. In the first call, `dt` does
             not change the time of the skin, which is `start` or the time saved in `resume`; a

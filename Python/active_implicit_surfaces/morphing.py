@@ -36,15 +36,15 @@ class morph(Skins):
         ``target_iso_value`` and ``invert_target``. Objects of PyVista, trimesh and meshio are
         accepted.
     duration : float
-        Time of the last skin [time], more than 0. Default: 1. Unless ``attraction`` is given, the
-        last skin is `b`: to a tenth of a voxel if the shapes are meshes, images of distances, or
-        functions that are distances.
+        Time of the last skin [time], more than 0. Default: 1. Unless properties such as
+        ``attraction`` or ``tension`` prevent this, the last skin is `b`, to about a tenth of a
+        voxel if the shapes are meshes, images of distances or functions that are distances.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str
         Before the morph, moves `b` to `a`, for shapes in different units or positions. "none" does
-        not move `b`; "centre" moves the centre of the bounds; "box" also scales `b` to the longest
-        side of the bounds of `a`. Default: "none".
+        not move `b`; "centre" moves the centre of its bounds to that of `a`; "box" also scales `b`,
+        to the longest side of the bounds of `a`. Default: "none".
     progress : callable(int, int), optional
         Called after each skin with the numbers of finished skins and of all skins.
     **options
@@ -61,8 +61,7 @@ class morph(Skins):
     ------
     ValueError
         A value is out of range, `frames` is no whole number, a shape is not usable, a skin is empty
-        although `b` is not, or the filter reports an error. The exception then has the filter's
-        message.
+        although `b` is not, or the filter reports an error, whose text is the exception's message.
     TypeError
         A keyword is unknown (the message names a similar keyword, if any), or is replaced by
         `duration` and `frames`; a shape or another value has a wrong type; or `fit` is given with a

@@ -54,8 +54,8 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; scalar properties of vertices and polygons become arrays.
 
-    List properties of polygons are left out, with a warning; if the file also has strips, all
-    properties of polygons.
+    Lists of polygons other than vertex indices are left out, with a warning. If the file also has
+    strips, scalar properties of polygons are left out, with a warning.
 
     Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """

@@ -36,7 +36,7 @@ _STEPS = 6.0  # distances fall by a factor e^6 per frame, as by the automatic At
 def apply_preset(
     surface: Any, source: Any, name: str, interval: float | None, options: Mapping[str, Any]
 ) -> None:
-    """Sets a preset's properties; the caller sets `options` later, which override the preset."""
+    """Sets a preset's properties; `options`, which the caller sets later, override the preset."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
     if name in ("molecule", "grains"):

@@ -160,7 +160,7 @@ def make_parser() -> Parser:
 
 
 def _way(file: Path, output: Path) -> str:
-    """Returns the kind of a conversion: "particles", or from mesh or image, as "mesh_to_vdb"."""
+    """Returns the kind of a conversion: "particles", "mesh_to_vdb", "image_to_mesh" ..."""
     if _holds_particles(file, output):
         return "particles"
     kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
@@ -211,10 +211,10 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
 
 
 def _contour(file: Path, image: Any, options: Any) -> Any:
-    """Returns the surface of an image or a grid; an empty surface without points or values.
+    """Returns the surface of an image or a grid; an empty surface if the image has no points.
 
-    The surface of a constant .vdb, as of a skin that has vanished, is also empty. Raises OSError if
-    another image has no surface.
+    The surface is also empty if all values of a .vdb are equal, as for a skin that has vanished.
+    Raises OSError if any other image has no surface.
     """
     if image.GetNumberOfPoints() == 0:
         return vtkPolyData()
