@@ -314,7 +314,7 @@ def _settle_spacing(
 
 
 def _describe_lengths(surface: Any, own: float, has_radii: bool) -> list[str]:
-    """Returns a warning if spacing or kernel radius does not fit `own`, the estimated spacing."""
+    """Returns [a warning] if a length does not fit `own`, the estimated spacing; else []."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing > 0 and not 1 / _FAR <= spacing / own <= _FAR:
         return [
