@@ -165,7 +165,7 @@ def _table_of(rows: list[str], columns: list[int]) -> Any:
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
-    """Returns the box as arrays Lattice, Origin and pbc, and its corner."""
+    """Returns the arrays Lattice, Origin and pbc of the box, and the box's origin."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
     if rows.shape not in ((3, 2), (3, 3), (3, 4)):
         raise ValueError("its BOX BOUNDS are not 3 rows of 2 to 4 numbers")
@@ -182,7 +182,11 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """Opens all kinds of particles with their common arrays; the array "array" names the kind."""
+    """Opens particles of all kinds, with the arrays that all kinds have, as one frame.
+
+    The array "array" of the frame names the kind of each particle. Kinds without particles are
+    left out.
+    """
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")

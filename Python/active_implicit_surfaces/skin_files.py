@@ -78,7 +78,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
       its frame number.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up, for a .glb, in which
       y is up. Default: "y".
-    - **settings: methods of a .vdb, .vtp or .vtk writer, and arguments: ``SetVoxelSize=0.1``.
+    - **settings: methods to call on the writer, and their arguments, such as
+      ``SetVoxelSize=0.1``; only for a .vdb, .vtp or .vtk.
 
     Raises OSError if the file cannot be written.
     """
@@ -149,11 +150,12 @@ def _surface_in(path: Path) -> Any:
 
 
 def holds_particles(path: Path) -> bool | None:
-    """Returns True for particles, False for a mesh or image, None for no points.
+    """Returns True if a file has particles, False if a mesh or an image, None if no points.
 
-    Particles: a vtkPolyData without polygons (of a .vdb even without points), or another point set
-    with no cells but vertices. If the extension allows only particles, or only meshes and images,
-    the file is not read. Raises OSError for an unknown extension, or if the file cannot be read.
+    Particles are a vtkPolyData without polygons, or another point set with no cells but vertices. A
+    .vdb without points or polygons counts as particles. If the extension allows only particles, or
+    only meshes and images, the file is not read. Raises OSError for an unknown extension, or if the
+    file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
@@ -307,12 +309,12 @@ def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
 
 
 def _quoted(text: str) -> str:
-    """Quotes a cell of a .csv."""
+    """Quotes a cell of a .csv if it contains a quote, a comma or a line break."""
     return '"' + text.replace('"', '""') + '"' if re.search('[",\n]', text) else text
 
 
 def _format_of(values: Any) -> str:
-    """Returns a format that keeps all digits."""
+    """Returns the % format that keeps all digits of the values."""
     if values.dtype.kind != "f":
         return "%s" if values.dtype.kind == "U" else "%d"
     return "%.9g" if values.dtype.itemsize <= 4 else "%.17g"

@@ -58,10 +58,10 @@ class _Form(NamedTuple):
 
 
 def read_table(text: str) -> Frames:
-    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too), and the rest as arrays.
+    """Reads the positions from columns named x, y, z, and the other columns as arrays.
 
-    Without names, the positions are the first three columns of numbers, after a column of row
-    numbers if any.
+    Names such as Points:0, pos_x and P[x] also mark positions. Without names, the positions are the
+    first three columns of numbers; a column of row numbers before four or more is left out.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
@@ -80,10 +80,10 @@ def read_table(text: str) -> Frames:
 
 
 def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
-    """Groups named columns into arrays; columns without a name are left out.
+    """Groups named columns into arrays; returns the name of each array with its columns' indices.
 
-    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a form a vector a. The positions are x y z,
-    else a vector named pos, points or the like.
+    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a form a vector a. The array "positions" is
+    x y z, else a vector named pos, points or the like. Columns without a name are left out.
     """
     plain = [*map(_plain, names)]
     vectors = _vectors_in(plain, _AXIS_LAST, (2, 3, 4), 1)
@@ -131,7 +131,7 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 
 def number(cell: str, has_commas: bool = True) -> float | None:
-    """Returns the number in a cell, NaN if the cell is empty; None if it is text."""
+    """Returns the number in a cell; NaN if the cell is empty or "NA" or the like; None for text."""
     if cell in _MISSING:
         return math.nan
     try:
@@ -145,13 +145,16 @@ def _is_number(cell: str) -> bool:
 
 
 def _rows(lines: list[str], start: int) -> list[int]:
-    """Returns the indices of the first lines with data."""
+    """Returns the indices of the lines with data among the 40 lines from `start`."""
     rows = range(start, min(len(lines), start + _SAMPLED))
     return [i for i in rows if lines[i].strip() and not _COMMENT.match(lines[i])]
 
 
 def _find_header(lines: list[str]) -> _Form | None:
-    """Finds the header, which names positions and may be a comment; None without a header."""
+    """Returns the format by the header, which names positions, or None if there is no header.
+
+    The header may be a comment. Raises ValueError if rows do not fit the header.
+    """
     misfit = ""
     for place, line in enumerate(lines[:_SAMPLED]):
         text = _COMMENT.sub("", line)

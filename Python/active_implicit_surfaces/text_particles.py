@@ -29,7 +29,7 @@ def read_csv(path: Path) -> Frames:
 
 
 def time_of_csv(path: Path) -> float | None:
-    """Returns the time of a table; None unless its first rows have one time."""
+    """Returns the time of a table; None unless the first 64 KiB have one time."""
     with path.open("rb") as file:
         head = file.read(_HEAD)
     try:
@@ -53,7 +53,7 @@ def _text_of(content: bytes) -> str:
 
 
 def read_xyz(path: Path) -> Frames:
-    """Reads columns x y z; or frames of a molecule, with count and elements; or 32-bit floats."""
+    """Reads a table of columns x y z, frames of a molecule (count, elements), or 32-bit floats."""
     content = path.read_bytes()
     if b"\0" in content[:4096] and content[:2] not in _UTF_16:
         if len(content) % 12:
@@ -109,7 +109,8 @@ def _even_array(what: str, values: Any) -> Any:
 def read_numpy(path: Path) -> Frames:
     """Reads an array (n, 3) or (frames, n, 3), other arrays, and "fps" or "times".
 
-    With "counts" (particles of each frame) an array has the rows of all frames, in order.
+    If there is an array "counts", the number of particles of each frame, the other arrays hold the
+    rows of all frames one after another.
     """
     with path.open("rb") as file:
         try:
@@ -166,7 +167,10 @@ def _stacked(axes: list[Any]) -> Any:
 
 
 def _are_counts(counts: Any, positions: Any) -> bool:
-    """Returns True for the particles of each frame, False for an array of the particles."""
+    """Returns True if `counts` has the number of particles of each frame.
+
+    Returns False if `counts` has a value for each particle; raises ValueError if neither holds.
+    """
     if counts.ndim != 1:
         return False
     are_natural = counts.dtype.kind in "iu" and bool((counts >= 0).all())

@@ -38,7 +38,10 @@ def check_number(name: str, value: Any) -> None:
 
 
 def one_for_each(times: Any, count: int) -> list[float]:
-    """Returns given times as a list; raises an error unless they are `count` numbers."""
+    """Returns the times as a list.
+
+    Raises TypeError if the times are no numbers, ValueError if there are not `count` times.
+    """
     own = _numbers_in(times)
     if len(own) != count:
         raise ValueError(
@@ -56,13 +59,16 @@ def _numbers_in(times: Any) -> list[float]:
 
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
-    """Converts positions counted in frames to times, at 25 frames per second if fps is None."""
+    """Converts positions counted in frames to times; the rate is `fps`, or 25 if `fps` is None."""
     rate = FRAMES_PER_SECOND if fps is None else check_rate(fps)
     return [place / rate for place in places]
 
 
 def check_rate(fps: float) -> float:
-    """Returns the frames per second; raises ValueError unless finite and more than 0."""
+    """Returns `fps`.
+
+    Raises TypeError if `fps` is no number, ValueError unless it is finite and more than 0.
+    """
     check_number("fps", fps)
     if not 0 < fps < float("inf"):
         raise ValueError(f"Frames per second have to be finite and more than 0, not {fps:g}.")

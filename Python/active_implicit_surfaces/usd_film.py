@@ -40,13 +40,14 @@ def check_usd(path: Path) -> None:
 
 
 class UsdFilm(Sink):
-    """Meshes over time as one prim "/skin" of a stage.
+    """Writes meshes over time as one prim, "/skin", of a USD file.
 
     Points, polygons, normals, velocities [length per unit of `times`], colours (displayColor, as
     linear light without alpha) and arrays (primvars) have a sample at each time. Time codes are
     times multiplied by fps.
 
     - path (Path): film.usdc or, as text, film.usda.
+    - times (list of float): time of each step [time].
     - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of
       frames per unit of time if 1 to 240, else 25.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up. y and z set the

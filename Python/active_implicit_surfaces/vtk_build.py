@@ -60,5 +60,5 @@ def check() -> None:
 
 
 def backend_of(package: str) -> str:
-    """Returns PyVista's name of the backend, which is also the package's name on PyPI."""
+    """Returns PyVista's name for the VTK of a Python package; PyPI has VTK by the same name."""
     return package.removesuffix("modules")

@@ -68,7 +68,7 @@ def read_vtk(path: Path) -> Any:
 
 
 def check_readable(path: Path) -> None:
-    """Raises OSError if there is no such file, or it cannot be opened or is empty."""
+    """Raises OSError if a file does not exist, cannot be opened, or is empty."""
     try:
         with path.open("rb") as file:
             if not file.read(1):
@@ -232,7 +232,7 @@ def _rows(path: Path) -> Iterator[list[bytes]]:
 def _check_corner(
     path: Path, corner: bytes, whole: tuple[int, ...], so_far: tuple[int, ...]
 ) -> tuple[bool, ...]:
-    """Returns flags of a corner's parts (vertex, texture, normal); raises OSError if damaged."""
+    """Returns True for each part (vertex, texture, normal) of a corner, or raises OSError."""
     found = _CORNER.fullmatch(corner)
     if found is None:
         raise OSError(

@@ -1,6 +1,7 @@
 """Sphinx's settings for the pages of the Python package; run by the target `documentation`.
 
-PYTHONPATH holds the built package, whose classes and properties are written to pages here.
+PYTHONPATH has to include the built package. This file also writes a page (.rst), next to itself,
+for each class in CLASSES.
 """
 
 import re
@@ -38,7 +39,7 @@ CLASSES = (
 
 
 def properties_of(kind):
-    """Returns X and the comment for each method SetX(value) of this package."""
+    """Yields X and the comment for each method SetX(value) that this package adds to a class."""
     ours = [base for base in kind.__mro__ if base.__module__.startswith(active.__name__)]
     for name in sorted({name for base in ours for name in vars(base) if name.startswith("Set")}):
         text = getattr(kind, name).__doc__

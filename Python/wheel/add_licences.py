@@ -25,7 +25,7 @@ def installed_libraries():
 
 
 def package_of(path):
-    """Returns the Debian package of a file, and its version."""
+    """Returns the Debian package of a file, its version, and its source package with version."""
     for name in (str(path), str(path).removeprefix("/usr")):  # as Debian has merged these folders
         try:
             package = output_of("dpkg-query", "-S", name).partition(":")[0]
@@ -39,7 +39,7 @@ def package_of(path):
 
 
 def copy_licences(libraries, folder):
-    """Writes a file for each package and a list of libraries; returns the file names."""
+    """Writes a licence file for each package, and BUNDLED.txt; returns the names of the files."""
     installed, lines, names = installed_libraries(), [], set()
     for library in sorted(libraries):
         original = CHANGED_NAME.sub("", library)

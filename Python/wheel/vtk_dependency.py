@@ -1,6 +1,6 @@
-"""Dependency of a wheel on its VTK, which the environment's ACTIVE_VTK chooses (pyproject.toml).
+"""Dependency of a wheel on its VTK, which the environment variable ACTIVE_VTK chooses.
 
-Called by scikit-build-core when it writes the wheel's metadata.
+scikit-build-core calls dynamic_metadata() when it writes the wheel's metadata; see pyproject.toml.
 """
 
 import os
