@@ -30,13 +30,16 @@ class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
     - probe (float): radius of the probe [length], 0 or more.
-    - preset, arrays, options: see `frames`. `arrays` may have only the key "radii" (default:
-      "radius"); another key, or a preset, raises ValueError. The class adds "voxel_size" (default:
-      a quarter of the root mean square radius of the first frame with atoms) and "attraction" to
-      `options` if missing, and removes "pass_target_arrays".
+    - preset (None): any preset raises ValueError.
+    - arrays (dict): {"radii": name of the array of radii}; without the key, the name is "radius".
+      Any other key raises ValueError.
+    - options (dict): properties of the filter, which the constructor changes. "voxel_size", if
+      missing or 0, becomes a quarter of the root mean square radius in the first frame with atoms.
+      "attraction", if missing, becomes so large that the skin follows the atoms closely.
+      "pass_target_arrays" is removed, as `add_arrays` does this work.
 
     Attributes:
-    - source (TemporalSource): source of the images.
+    - source (TemporalSource): source of an image of distances for each frame of atoms.
     """
 
     def __init__(
@@ -91,7 +94,10 @@ class ProbedAtoms:
         )
 
     def add_arrays(self, skin: Any, time: float) -> None:
-        """Adds, if requested, the arrays of the nearest atom in the step nearest in time."""
+        """Adds to each point of a skin the arrays of the nearest atom, for `pass_target_arrays`.
+
+        The atoms are those of the step nearest to `time`. Arrays of the skin are not replaced.
+        """
         if not self._passes:
             return
         times = self._atoms.times

@@ -49,7 +49,7 @@ class Property:
 
     @property
     def is_automatic(self) -> bool:
-        """Returns True for a number whose default is -1, automatic."""
+        """Returns True for a number whose default is -1, which means automatic."""
         return bool(self.kind == "number" and self.default == AUTOMATIC)
 
     @property
@@ -83,7 +83,10 @@ def find(keyword: str) -> Property:
 
 
 def given(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the options, without automatic properties that are "automatic" or -1."""
+    """Returns the options, but no automatic properties whose value is "automatic" or -1.
+
+    Raises TypeError for an unknown keyword.
+    """
     return {
         keyword: value
         for keyword, value in options.items()
@@ -94,14 +97,15 @@ def given(options: Mapping[str, Any]) -> dict[str, Any]:
 def put(surface: Any, values: Mapping[str, Any]) -> None:
     """Sets properties of a filter by their keywords.
 
-    Choices are words such as ``"anisotropic"``, or numbers; ``"automatic"`` is -1.
+    A choice is a word such as ``"anisotropic"``, or a number. For a number whose default is -1,
+    ``"automatic"`` means -1.
 
     Raises
     ------
     TypeError
         There is no such property, or a value has a wrong type.
     ValueError
-        A setter clamps a value to its range, or a word is unknown.
+        A number is outside the range of its property, or a word or number is not among the choices.
     """
     for one in values:
         find(one)

@@ -1,9 +1,10 @@
-"""Methods of PyVista's data sets for skins; PyVista 0.48 or later finds them in an installed wheel.
+"""Gives PyVista's data sets methods that make skins.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another mesh
 
-Without a wheel `import active_implicit_surfaces.pyvista_accessor` registers the methods.
+PyVista 0.48 or later finds the methods in an installed wheel. Without a wheel,
+`import active_implicit_surfaces.pyvista_accessor` registers the methods.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ class ActiveSurfaceAccessor:
         self._dataset = dataset
 
     def skin(self, **options: Any) -> Any:
-        """Returns the skin over the points of this data set as particles; cells are ignored.
+        """Returns the skin over the points of this data set, used as particles; cells are ignored.
 
         Parameters
         ----------
@@ -66,7 +67,7 @@ class ActiveSurfaceAccessor:
 
         Parameters
         ----------
-        other : pyvista.PolyData, pyvista.ImageData, or a shape for active_implicit_surfaces.morph
+        other : pyvista.PolyData, pyvista.ImageData, or another shape that `morph` accepts
         duration : float
             Time [time] at which `other` is reached, unless ``attraction`` is given. Default: 1.
         **options

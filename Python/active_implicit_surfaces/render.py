@@ -18,12 +18,12 @@ Layers, as point arrays of the image that capture() returns, and their channels 
 
 Z and P are read from the depth buffer, so both contain every opaque object of the renderer. N, id
 and velocities are known only for actors whose mapper has a data set (vtkPolyDataMapper,
-vtkDataSetMapper) or blocks of data sets, as in ParaView. Their surfaces are rendered again, without
-lights, with values in place of colors. Translucent objects, and objects of other renderers on top,
-are only in the picture. Layers are sampled at the pixels' centers; only the picture is antialiased.
-The picture has the window's 8 bits and alpha. Alpha is 0 on a background whose BackgroundAlpha is
-0. If this background is black, as with `apart`, colors are premultiplied by alpha, as OpenEXR
-requires.
+vtkDataSetMapper) or blocks of data sets, as in ParaView; for other actors, N, id and velocities are
+0. The known surfaces are rendered again, without lights, with values in place of colors.
+Translucent objects, and objects of other renderers on top, are only in the picture. Layers are
+sampled at the pixels' centers; only the picture is antialiased. The picture has the window's 8 bits
+and alpha. Alpha is 0 on a background whose BackgroundAlpha is 0. If this background is black, as
+with `apart`, colors are premultiplied by alpha, as OpenEXR requires.
 """
 
 from __future__ import annotations
@@ -74,10 +74,10 @@ def write_exr(
     window : vtkRenderWindow
     file_name : str or path
     frame_duration : float
-        Time until the next frame [time of the velocities], more than 0. Default: 1.
+        Time until the next frame [time of the velocities]. Default: 1.
     writer : vtkActiveEXRWriter, optional
-        Writer with other settings (compression, attributes); input, file name, pixel types,
-        matrices and color encoding are set here.
+        Writer with other settings (compression, attributes). write_exr sets the writer's input,
+        file name, pixel types, matrices and color encoding.
     **options
         Options of capture(). Default of `origin`: 0, or the camera's focal point if single
         precision is too coarse there, as for map coordinates; a warning and the attribute
@@ -162,9 +162,9 @@ def capture(
         Z of the background [length]. Default: 1e10.
     apart : dict of vtkActor, optional
         Actors that have separate layers and are in no other layer: ``{"ground": actor}`` gives the
-        arrays "ground" (in the file ground.R, .G, .B, .A) and "ground.Z". The background is left
-        out, even if the dict is empty, so A is the coverage of the other actors. Default: None,
-        with the background.
+        arrays "ground" (in the file ground.R, .G, .B, .A) and "ground.Z". With a dict, even an
+        empty one, the background is left out, so alpha is the coverage by the layer's actors.
+        Default: None, no separate layers; the background is in the picture.
     origin : (float, float, float), optional
         Point of the world [length] that is subtracted from P, which has single precision.
         Default: 0.
@@ -236,7 +236,7 @@ def _layers(
 
 @contextmanager
 def _only(renderer: Any, is_shown: Any) -> Iterator[None]:
-    """Shows only some actors, without background."""
+    """Hides the background, and the actors that `is_shown` rejects, while the context lasts."""
     hidden = [one for one in renderer.GetActors() if one.GetVisibility() and not is_shown(one)]
     color, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
     renderer.SetBackground(0.0, 0.0, 0.0)
@@ -272,8 +272,8 @@ def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any
     Returns
     -------
     (vtkMatrix4x4, vtkMatrix4x4)
-        World to camera (x right, y up, z ahead), and to the picture ((0, 0) upper left, (1, 1)
-        lower right).
+        The first matrix maps the world to the camera (x right, y up, z ahead). The second maps the
+        world to the picture ((0, 0) upper left, (1, 1) lower right).
     """
     camera = renderer.GetActiveCamera()
     to_camera = numpy.diag([1.0, 1.0, -1.0, 1.0]) @ _numbers(camera.GetViewTransformMatrix())
@@ -285,7 +285,7 @@ def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any
 
 
 def _origin_of(renderer: Any) -> tuple[float, ...] | None:
-    """Returns the camera's focal point if single precision is too coarse there, else None."""
+    """Returns the camera's focal point, and warns, if float32 is too coarse there; else None."""
     camera = renderer.GetActiveCamera()
     focus = numpy.array(camera.GetFocalPoint(), "f4")
     if numpy.spacing(numpy.abs(focus).max()) <= _COARSE * camera.GetDistance():
@@ -329,7 +329,7 @@ def _picture(window: Any, size: tuple[int, int]) -> Any:
 
 
 def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
-    """Returns world positions of pixels at these depths, and distances along the camera's axis."""
+    """Returns each pixel's world position at its depth, and the distance along the camera axis."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
     cube = numpy.empty((len(depth), 4))

@@ -1,4 +1,4 @@
-"""Loop over frames, with sinks: files, films, the state of a run, progress."""
+"""Runs a loop over frames; passes each frame to sinks, such as files, a film or a progress bar."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .messages import listening, warn
 
 
 class Frame(NamedTuple):
-    """Time, and the skin at this time."""
+    """Named tuple of a time and the skin at this time."""
 
     time: float
     skin: Any
@@ -33,9 +33,9 @@ class Sink:
 
 
 class FileSeries(Sink):
-    """Writes a file for each frame, and after a run without error an index, if `index` is given.
+    """Writes a file for each frame, and, after a run without error, the index if one is given.
 
-    - index (Path, optional): a .pvd or a .series, with a time for each name.
+    - index (Path, optional): a .pvd or .series file that lists `names` with their `times`.
     """
 
     def __init__(
@@ -92,13 +92,13 @@ class Skins:
             yield Frame(time, like(self._example, skin))
 
     def make(self, step: int) -> Any:
-        """Returns the filter's own output at a step, which the next step overwrites."""
+        """Returns the filter's own output at a step; the next step overwrites this output."""
         update(self.surface, self.times[step], self.source)
         return self.surface.GetOutput()
 
 
 def check_mode(surface: Any, count: int) -> None:
-    """Raises ValueError for several frames with EQUILIBRIUM, in which the filter has no time."""
+    """Raises ValueError for more than one frame in the mode EQUILIBRIUM, which has no time."""
     if count > 1 and surface.GetEvolutionMode() == surface.EQUILIBRIUM:
         raise ValueError(
             f"evolution_mode equilibrium makes one skin, but there are {count} frames; leave "
@@ -107,7 +107,10 @@ def check_mode(surface: Any, count: int) -> None:
 
 
 def update(surface: Any, time: float, source: Any = None) -> None:
-    """Updates a filter to a time; raises the source's exception, or a ValueError of the filter."""
+    """Updates a filter to a time.
+
+    Raises the exception of the source, or ValueError if the filter reports an error.
+    """
     with listening(*filter(None, (surface, source))) as heard:
         surface.UpdateTimeStep(time)
     if source is not None and source.failure is not None:

@@ -50,7 +50,8 @@ class Scene:
     - soft (bool): ambient occlusion; must be False for the layers of render.capture().
 
     Attributes:
-    - apart (dict): actor of the ground, if any, for `apart` of render.capture().
+    - apart (dict): the argument `apart` of render.capture(): {"ground": actor}, or {} without a
+      ground.
     """
 
     def __init__(
@@ -146,7 +147,7 @@ class Scene:
             self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
 
     def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> Any:
-        """Adds a ground in the color of the background, visible only by ambient occlusion."""
+        """Adds and returns a ground in the background color, visible only by ambient occlusion."""
         reach, height = (
             4.0 * float(numpy.linalg.norm(high - low)),
             min(sign * low[up], sign * high[up]),
@@ -179,7 +180,7 @@ def _set_look(look: Any, color: tuple[float, float, float]) -> None:
 
 
 def _shade_in_corners(seen: float) -> Any:
-    """Returns a pass with ambient occlusion, of a radius proportional to the size of the view."""
+    """Returns a render pass of ambient occlusion, of radius 0.2 times `seen`, the view's height."""
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)
     shade.SetBias(0.008 * seen)

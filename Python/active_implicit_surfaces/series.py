@@ -47,7 +47,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
     output_type : str
         VTK class of the data. Default: "vtkPolyData".
     any_order : bool
-        `load` may be called early for the middle and last step. Default: False.
+        True if `load` may be called for the middle and last step before the steps in between.
+        Default: False.
 
     Attributes
     ----------
@@ -87,7 +88,10 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """Returns the first frame with points; with `any_order` also middle and last, if later."""
+        """Returns the first frame with points; with `any_order`, also the middle and last frame.
+
+        A middle or last frame is left out if it is not later than the first, or cannot be loaded.
+        """
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
@@ -107,7 +111,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return self.frame(self._first)
 
     def part(self, steps: Sequence[int]) -> TemporalSource:
-        """Returns a source of some steps; lengths are estimated from the whole series."""
+        """Returns a source of the given steps; lengths are estimated from the whole series."""
         times = [self.times[step] for step in steps]
         own = TemporalSource(lambda i: self.frame(steps[i]), times, self._output_type)
         own._whole = self
@@ -117,7 +121,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         """Removes particles in clusters of fewer than `minimum` particles or less than `volume`
         [length^3].
 
-        A particle has the volume spacing^3. Without a spacing all particles stay. Returns
+        A particle has the volume `spacing`^3. If `spacing` is 0, all particles stay. Returns
         `minimum`, or the number of particles in `volume` if larger. Raises ValueError for images.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
@@ -130,10 +134,10 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return minimum
 
     def use_usual_level(self) -> None:
-        """Converts images to labels (1 inside) if they are masks, else to level sets (negative
-        inside), with one level for all, which follows from frames_that_tell().
+        """Converts masks to labels, 1 inside, and other images to level sets, negative inside.
 
-        Particles are not changed. Raises ValueError if the images have several labels or no inside.
+        All images get the same level, which is found in the images of `frames_that_tell`. Particles
+        are not changed. Raises ValueError if the images have several labels or no inside.
         """
         if self._output_type == "vtkImageData":
             self._change(converter_of_series(self.frames_that_tell()))
@@ -176,25 +180,26 @@ class ParticleSeries(TemporalSource):
     Parameters
     ----------
     frames : iterable of particles or of files, one file, pattern or folder, or callable(time)
-        Particles in a form that `as_particles` accepts, or images; files as for `active-surface
-        skin`. A vtkPolyData keeps its cells (polygons are a mesh, lines a skeleton), unless `where`
-        is given.
+        Particles in a form that `as_particles` accepts, or images. A function returns the particles
+        or the image of a time. Files are of the formats that `active-surface skin` reads. A
+        vtkPolyData without `where` keeps its cells: polygons are a mesh, lines a skeleton.
     times : sequence of float, optional
         Time of each frame [time], increasing; required for a callable.
     fps : float, optional
-        Frames per unit of time [1/time], more than 0, instead of times: 0, 1/fps, 2/fps ...;
-        gaps in the numbers of files are gaps in time. Default: the times in the files, else 25.
+        Frames per unit of time [1/time], more than 0, instead of `times`: the times are 0, 1/fps,
+        2/fps ..., and gaps in the numbers of files are gaps in time. Default: the times in the
+        files, else 25 frames per unit of time.
     where : str or sequence of str, optional
         Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
 
     Raises
     ------
     ValueError
-        Times do not increase, or are not one for each frame; times and fps are both given; no frame
-        is given; fps is out of range; a condition is malformed.
+        The times do not increase, or their number is not that of the frames; `times` and `fps` are
+        both given; no frame is given; `fps` is out of range; a condition is malformed.
     TypeError
-        A callable is given without times, frames is neither iterable nor callable, or times or fps
-        have a wrong type.
+        A callable is given without `times`, `frames` is neither iterable nor callable, or `times`
+        or `fps` has a wrong type.
     OSError
         A file does not exist or cannot be read.
 
@@ -262,7 +267,7 @@ def _kind_of(data: Any) -> str:
 
 
 def _as_image(data: Any) -> Any:
-    """Returns an image of a series of images; raises TypeError for other data."""
+    """Returns `data` if it is an image; raises TypeError for other data."""
     if not (is_vtk(data) and data.IsA("vtkImageData")):
         raise TypeError(
             f"A frame is of type {type(data).__name__}, but the first frame is an image; give only "

@@ -35,7 +35,7 @@ _TURN = 2.0 * numpy.pi
 
 
 def usual_voxel(radii: Any) -> float:
-    """Returns a quarter of the root mean square radius, usually 0.3 to 0.45 Angstrom."""
+    """Returns the default voxel size, a quarter of the root mean square radius of the atoms."""
     return VOXEL * float(numpy.sqrt(numpy.mean(numpy.square(radii))))
 
 
@@ -89,7 +89,7 @@ def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
 
 
 def empty_image(voxel: float) -> Any:
-    """Returns an image of distances with an empty inside, for a frame without atoms."""
+    """Returns an image of distances without negative values, for a frame without atoms."""
     return _image_of(numpy.full((2, 2, 2), BAND * voxel), voxel, numpy.zeros(3))
 
 
@@ -125,9 +125,12 @@ def _image_of(values: Any, voxel: float, origin: Any) -> Any:
 
 
 class _Grid:
-    """Points near atoms. `owner` of a point is the accessible ball in which the point is deepest,
-    `depth` its depth in this ball, `exit` its least distance found so far to a possible centre of
-    the probe; outside all accessible balls `exit` is `depth`, which is negative.
+    """Grid of points near atoms, with three values at each point.
+
+    - owner: index of the accessible ball in which the point is deepest.
+    - depth: depth of the point in this ball, negative outside all accessible balls.
+    - exit: least distance found so far from the point to a possible centre of the probe; equal to
+      `depth` outside all accessible balls.
     """
 
     def __init__(self, centers: Any, radii: Any, voxel: float, probe: float) -> None:
@@ -160,7 +163,10 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
     def add_patch(self, ball: int, others: Any) -> None:
-        """Sets `exit` to `depth` at a ball's points whose nearest surface point is uncovered."""
+        """Sets `exit` to `depth` at the points of a ball whose nearest surface point is uncovered.
+
+        A point of the ball's surface is uncovered if no other ball contains the point.
+        """
         center, radius = self.centers[ball], self.radii[ball]
         box, axes = self._box(center, radius)
         depth = self.depth[box]
@@ -180,7 +186,7 @@ class _Grid:
         self.exit[box][free] = depth[free]
 
     def add_arcs(self, ball: int, others: Any) -> None:
-        """Reduces `exit`, unless set by add_patch, to the distances from the arcs of _arcs_of."""
+        """Reduces `exit` to the distance from a ball's arcs, except where `add_patch` set it."""
         for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
             is_short = half < 0.5 * numpy.pi
             middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)
@@ -199,7 +205,7 @@ class _Grid:
         return _image_of(values.astype("f4"), self.voxel, self.voxel * self.low)
 
     def _box(self, center: Any, reach: float) -> tuple[Any, list[Any]]:
-        """Returns the slices around a ball, and the coordinates along each axis."""
+        """Returns the box around a ball: slices of the grid, and coordinates along each axis."""
         first = numpy.ceil((center - reach) / self.voxel).astype(numpy.int64) - self.low
         end = numpy.floor((center + reach) / self.voxel).astype(numpy.int64) - self.low + 1
         first, end = first.clip(0, self.shape), end.clip(0, self.shape)
@@ -293,7 +299,7 @@ def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, 
 
 
 def _distances_to(radius: float, half: float, x: Any, y: Any, z: Any) -> Any:
-    """Returns distances of points, in the axes of an arc and with y >= 0, to the arc."""
+    """Returns distances from an arc to points x, y, z in the axes of the arc, with y >= 0."""
     cos, sin = numpy.cos(half), numpy.sin(half)
     to_end = (x - radius * cos) ** 2 + (y - radius * sin) ** 2
     is_ahead = (y * cos <= x * sin) | (half >= numpy.pi)

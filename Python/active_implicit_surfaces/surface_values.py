@@ -32,12 +32,15 @@ _POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA for vtkValuePass
 
 
 def distances_along_axis(points: Any, camera: Any) -> Any:
-    """Returns distances from the camera along its axis."""
+    """Returns the distances of points from the camera, along the axis of the camera."""
     return (points - camera.GetPosition()) @ numpy.array(camera.GetDirectionOfProjection())
 
 
 def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
-    """Returns the depth buffer, and the values of the nearest surface in each pixel."""
+    """Returns the depth buffer, and a dict of arrays: values of the nearest surface in each pixel.
+
+    The arrays are "normal", "velocity", "id" and "distance"; they are infinite where no surface is.
+    """
     samples = window.GetMultiSamples()
     window.SetMultiSamples(0)
     try:
@@ -49,8 +52,9 @@ def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
 
 
 def _render_depth(window: Any, renderer: Any) -> Any:
-    """Returns the depth buffer; hides other renderers in this layer and above, which may clear it.
+    """Returns the depth buffer of a renderer.
 
+    Meanwhile hides the other renderers in the same layer and above, which may clear the buffer.
     ParaView's axes and its camera orientation widget have such renderers, visible or not.
     """
     later = [
@@ -72,7 +76,7 @@ def _render_depth(window: Any, renderer: Any) -> Any:
 
 
 def _stand_in(renderer: Any, velocity: Any) -> Any:
-    """Merges the surfaces of _surface_of, with their values as point arrays; None if none exist."""
+    """Returns the surfaces of all actors as one mesh, with values as point arrays, or None."""
     surfaces = list[Any]()
     camera = renderer.GetActiveCamera()
     actors, index = renderer.GetActors(), 0
@@ -86,7 +90,7 @@ def _stand_in(renderer: Any, velocity: Any) -> Any:
 
 
 def _surface_of(actor: Any, velocity: Any) -> Any:
-    """Returns an actor's opaque surface, normals and velocity in world coordinates, or None."""
+    """Returns an actor's opaque surface, in world coordinates and with normals, or None."""
     mapper = actor.GetMapper()
     if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
         return None
@@ -135,7 +139,7 @@ def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
 
 
 def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
-    """Renders the arrays of the surface by vtkValuePass into a buffer of floats."""
+    """Returns the arrays of the surface in each pixel, rendered by vtkValuePass."""
     shape = {"normal": 3, "velocity": 3, "id": 1, "distance": 1}
     pixels = window.GetSize()[0] * window.GetSize()[1]
     if surface is None:
