@@ -1,6 +1,6 @@
 """Makes the small pictures of the pages, Examples/Pictures/*.jpg, from the examples' .png files.
 
-Run: python3 shrink_pictures.py FOLDER   (of the examples' --output)
+Run: python3 shrink_pictures.py FOLDER   (the --output folder of the examples)
 """
 
 import sys

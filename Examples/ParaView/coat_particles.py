@@ -1,4 +1,4 @@
-"""A splash of 992 particles gets a living skin: a mesh for each frame, and a picture of one.
+"""Makes skins over a splash of 992 particles: a mesh for each frame, and a picture of one frame.
 
 Run: pvbatch coat_particles.py [--output DIR]
 """

@@ -1,4 +1,5 @@
-"""The splash for compositing: what a view shows, in layers, and a slice of the potential, as .exr.
+"""Writes two .exr files of the splash: the layers of a view, for compositing, and a slice of the
+potential.
 
 Run: pvbatch export_exr.py [--output DIR]
 """

@@ -1,4 +1,4 @@
-"""Moments of a surface side by side in one picture, and its history as text, for the examples."""
+"""Functions for the examples: a picture of a surface at several times, and its history as text."""
 
 import argparse
 from pathlib import Path
@@ -17,7 +17,7 @@ SIZE = 400
 
 
 def output_folder(description):
-    """Creates the folder named by --output."""
+    """Creates and returns the folder that the option --output names."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR")
     folder = parser.parse_args().output
@@ -26,7 +26,7 @@ def output_folder(description):
 
 
 def save_moments(surface, times, picture):
-    """Saves a picture of several views, one for each time; no animation changes a view's time."""
+    """Saves one picture of several views side by side, each with the surface at its own time."""
     layout = CreateLayout("Moments")
     cell = 0
     for i, time in enumerate(times):
@@ -47,7 +47,7 @@ def save_moments(surface, times, picture):
 
 
 def print_history(surface, column, every):
-    """Prints some rows of a column of the history, output port 2."""
+    """Prints every `every`th value of a column of the history, which is output port 2."""
     surface.UpdatePipeline(surface.TimestepValues[-1])
     table = servermanager.Fetch(surface, idx=2)
     for row in range(0, table.GetNumberOfRows(), every):

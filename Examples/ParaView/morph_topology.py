@@ -1,6 +1,6 @@
 """A star, the potential of six points, becomes two balls that do not touch.
 
-Figure 6 of the paper: the surface parts by itself. Run: pvbatch morph_topology.py [--output DIR]
+Figure 6 of the paper: the surface splits by itself. Run: pvbatch morph_topology.py [--output DIR]
 """
 
 from moments import output_folder, print_history, save_moments

@@ -25,7 +25,7 @@ DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 
 
 def save(skin, path, time):
-    """Saves a state with a view of the skin. Files are named without their folder."""
+    """Saves a state with a view of the skin. The state names data files without their folder."""
     RenameSource("Skin", skin)
     view = CreateRenderView()
     AssignViewToLayout(view)

@@ -1,7 +1,7 @@
-"""Walls and periodic sides: the same water in a box, with and without the filter's properties.
+"""Walls and periodic sides: water in a box, without and with the filter's properties for each.
 
-The first picture is seen from below. The second picture shows each skin and, in the next box, a
-copy of the skin: with PeriodicBounds, wave and drop continue through the side.
+The first picture, of walls, is seen from below. The second picture shows each skin and, in the next
+box, a copy of the skin: with PeriodicBounds, wave and drop continue through the side.
 
 Run: python3 boxes.py [--output FOLDER]
 """
@@ -17,7 +17,7 @@ PERIODIC = (0, SIDE, 1, -1, 1, -1)  # along x
 
 
 def water():
-    """Particles of a layer with a wave along x, and of a drop, which crosses the box's side."""
+    """Returns the particles of a layer with waves, and those of a drop across the box's side."""
     x, y, z = (np.arange(0.5 * SPACING, end, SPACING) for end in (SIDE, DEPTH, SIDE))
     places = np.stack(np.meshgrid(x, y, z), -1).reshape(-1, 3)
     phases = 2 * np.pi / SIDE * places

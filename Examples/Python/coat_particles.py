@@ -1,4 +1,4 @@
-"""A splash of 992 particles gets a living skin, written for each frame and shown as a film strip.
+"""Makes skins over a splash of 992 particles: a file for each frame, and a film strip.
 
 Run: python3 coat_particles.py
 """

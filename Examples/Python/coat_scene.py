@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 def coat_scene(name, description, pictured, width=2000, solids=(), floor=0, **options):
     """Makes the scene, its skins <name>_0000.vtp ... with a .series, and the picture <name>.png.
 
-    solids: actors that are in the picture too."""
+    `solids` are further actors in the picture."""
     folder = output_folder(description)
     scene = load_scene(name, folder / "scenes", **options)
     radius = 0.5 * scene.spacing

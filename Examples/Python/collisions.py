@@ -1,4 +1,4 @@
-"""Grains fall on a moving skin and bounce off, by the skin's function: the distance to the skin.
+"""Grains fall on a moving skin and bounce off; the skin's function gives distances to the skin.
 
 Run: python3 collisions.py [--output FOLDER]
 """
@@ -17,7 +17,7 @@ RADII, PHASES = (0.3, 0.36, 0.26), np.array([0.0, 2.1, 4.2])
 
 
 def body_at(time):
-    """Particles of three lumps that move up and down."""
+    """Returns the particles, at a time, of three lumps that move up and down."""
     lifts = 0.08 * np.sin(5 * time + PHASES)
     lumps = zip(LUMPS, RADII, lifts)
     return np.concatenate([ball(r, SPACING) + place + (0, lift, 0) for place, r, lift in lumps])

@@ -1,4 +1,4 @@
-"""Pictures for the examples: moments side by side, seen and lit alike, in one PNG."""
+"""Pictures for the examples: several frames in one PNG, with the same camera and light."""
 
 import argparse
 import math
@@ -41,7 +41,7 @@ LIGHTS = (
 
 
 def output_folder(description):
-    """Creates the folder named by --output."""
+    """Creates and returns the folder that the option --output names."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR")
     folder = parser.parse_args().output
@@ -50,14 +50,14 @@ def output_folder(description):
 
 
 def skin_actor(surface, color=WATER):
-    """Actor for a copy of a surface; later changes of the surface do not show."""
+    """Returns an actor for a copy of a surface; later changes of the surface do not show."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(_copy(surface))
     return _actor(mapper, color)
 
 
 def ball_actor(points, radius, color=CLAY):
-    """A ball at each of the points, at their present positions."""
+    """Returns an actor with a ball at each point; later changes of the points do not show."""
     ball = vtkSphereSource()
     ball.SetRadius(radius)
     ball.SetThetaResolution(24)
@@ -70,7 +70,7 @@ def ball_actor(points, radius, color=CLAY):
 
 
 def colored(actor, array):
-    """Shows an actor in the colors of a point array of bytes, R G B."""
+    """Returns the actor, shown in the colors of a point array of bytes, R G B."""
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     mapper.SetScalarModeToUsePointFieldData()
@@ -80,10 +80,10 @@ def colored(actor, array):
 
 
 def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor=None):
-    """Writes rows of frames, a frame being a list of actors, seen by one camera that fits all.
+    """Writes a picture of rows of frames; a frame is a list of actors. One camera fits all frames.
 
-    `view` is the direction from the scene to the camera. `floor` is the height y of a floor; None:
-    no floor.
+    `view` is the direction from the scene to the camera. `floor` is the height y of a floor, or
+    None for no floor.
     """
     actors = [actor for row in rows for frame in row for actor in frame]
     camera, aspect = _camera_that_fits(actors, view)
@@ -136,7 +136,7 @@ def _actor(mapper, color):
 
 
 def _floor_actor(actors, height):
-    """A floor in the color of the background, visible by the shade on it."""
+    """Returns a floor in the color of the background, visible only by the shade on the floor."""
     bounds = vtkBoundingBox()
     for actor in actors:
         bounds.AddBounds(actor.GetBounds())
@@ -156,7 +156,7 @@ def _floor_actor(actors, height):
 
 
 def _camera_that_fits(actors, view):
-    """A camera in the direction `view`, and the ratio of width to height of its field of view."""
+    """Returns a camera in the direction `view`, and the ratio of its picture's width to height."""
     camera = vtkCamera()
     camera.SetPosition(view)
     camera.SetViewAngle(VIEW_ANGLE)
@@ -175,7 +175,7 @@ def _camera_that_fits(actors, view):
 
 
 def _bounds_seen_by(camera, actors):
-    """Bounding box of the actors' points along the camera's axes."""
+    """Returns the bounding box of the actors' points along the camera's axes."""
     bounds = vtkBoundingBox()
     turned = vtkTransformPolyDataFilter()
     turned.SetTransform(camera.GetViewTransformObject())
@@ -223,7 +223,7 @@ def _shoot(window, actors, camera):
 
 
 def _shade_in_corners(camera):
-    """Ambient occlusion, in proportion to the camera's field of view."""
+    """Returns a render pass of ambient occlusion; its radius is 0.2 times the view's height."""
     seen = camera.GetDistance() * math.radians(VIEW_ANGLE)
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)

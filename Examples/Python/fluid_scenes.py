@@ -1,10 +1,13 @@
-"""Scenes of particles to coat, made by fluid_solver.py: 25 frames a second, y up, g = 9.81.
+"""Scenes of particles to coat, at 25 frames a second; fluid_solver.py makes most of them.
+
+y is up. Gravity is 9.81 except in the scene dam.
 
     scene = load_scene("fountain", "folder")      # made once, then read from folder/fountain.npz
     for positions, velocities, ids in scene.frames:
 
 Still particles are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3. The box has
-its corner at the origin, the size scene.size, and is open above; sheet and ball extend beyond.
+its corner at the origin, the size scene.size, and is open above. The scenes sheet and ball extend
+beyond the box.
 The scenes:
 
     pool      still, ten layers deep; scene.drops are the ids of the particles of twelve drops
@@ -52,12 +55,12 @@ def lattice(low, high, spacing):
 
 
 def shaken(places, amount, seed):
-    """Moves each coordinate by up to the amount."""
+    """Returns the points, with each coordinate moved at random by `amount` at most."""
     return places + amount * (2.0 * np.random.default_rng(seed).random(places.shape) - 1.0)
 
 
 def ball(radius, spacing, seed=1):
-    """A lattice cut to a ball about the origin."""
+    """Returns the points within a ball about the origin, of a slightly shaken lattice."""
     half = spacing * np.ceil(radius / spacing)
     places = lattice((-half,) * 3, (half,) * 3, spacing)
     inside = (places * places).sum(axis=1) < radius * radius
@@ -80,7 +83,7 @@ def record(name, fluid, count, before=lambda frame: None, **motion):
 
 
 def settled(across, deep, spacing, height, settling=40, cohesion=COHESION):
-    """A box with a pool that has settled after a little stirring."""
+    """Returns a fluid: a pool in a box, settled after a little stirring."""
     fluid = Fluid(spacing, (across * spacing, height, across * spacing), cohesion)
     places = lattice((0, 0, 0), (across * spacing, deep * spacing, across * spacing), spacing)
     fluid.add(shaken(places, 0.15 * spacing, 2), (0.1, 0.0, 0.07))
@@ -112,7 +115,10 @@ def pool(count=12):
 
 
 def _drops():
-    """Six drops that stand four to nine spacings above the pool, six that fall from 35 above."""
+    """Returns the particles of twelve drops, and a mask of the particles that fall.
+
+    Six drops stand 4 to 9 spacings above the pool; six drops fall from 35 spacings above the pool.
+    """
     places, falling = [], []
     for number in range(12):
         column, row = number % 4, number // 4
@@ -190,7 +196,7 @@ def fountain(count=40, across=ACROSS):
 
 
 def _free(places, fluid):
-    """Mask of the points of `places` without particles of the fluid nearby."""
+    """Returns a mask of `places`: True for points without particles of the fluid nearby."""
     apart = places.T[:, :, None] - fluid.places[:, None, :]
     return (apart * apart).sum(axis=0).min(axis=1) > (0.8 * SPACING) ** 2
 
@@ -256,7 +262,7 @@ SCENES = {
 
 
 def load_scene(name, folder, **options):
-    """Loads a scene from the folder, and makes it first if it is missing."""
+    """Loads a scene from a folder; if its file is missing, makes the scene and the file first."""
     said = "".join(f"_{value}" for value in options.values())
     path = Path(folder) / f"{name}{said}.npz"
     if not path.exists():

@@ -1,8 +1,9 @@
 """A small fluid: particles in a box, by position-based dynamics (Macklin and Muller 2013) in numpy.
 
-For scenes to coat, not for physics: no viscosity but the scheme's own, a cohesion that only holds
-drops and sheets together, walls without friction. y is up. It uses sums, products, quotients and
-roots in a fixed order only, so the same particles come out on any machine.
+The solver makes scenes to coat, and is not for physics: the only viscosity is that of the scheme,
+cohesion just holds drops and sheets together, and walls have no friction. y is up. The solver uses
+only sums, products, quotients and roots, in a fixed order, so the particles are the same on any
+machine.
 """
 
 import numpy as np
@@ -23,7 +24,7 @@ LONGEST = 0.008  # seconds of a substep, limited by the cohesion
 
 
 class Fluid:
-    """Particles of a spacing in a box with its corner at the origin, open above."""
+    """Particles in a box that is open above and has its corner at the origin."""
 
     def __init__(self, spacing, size, cohesion=0.0):
         self.spacing, self.size, self.cohesion = spacing, np.array(size, float), cohesion
@@ -36,7 +37,7 @@ class Fluid:
         self.rest_density *= REST
 
     def add(self, places, velocity):
-        """Adds particles, returns their new ids; velocity is one for all, or one for each."""
+        """Adds particles; returns their ids. `velocity` is one vector for all, or one for each."""
         count = len(places)
         velocities = np.broadcast_to(np.asarray(velocity, float), (count, 3))
         ids = np.arange(self.next_id, self.next_id + count)
@@ -52,8 +53,8 @@ class Fluid:
         self.ids = self.ids[chosen]
 
     def advance(self, seconds, gravity=GRAVITY, damping=0.0):
-        """Advances in equal substeps. gravity is a vector or, for a shaken box, a function of
-        the time since the start of this call."""
+        """Advances by `seconds`, in equal substeps. `gravity` is a vector or, for a shaken box, a
+        function of the time since the start of this call."""
         speed = np.sqrt(_squared(self.velocities).max(initial=0.0)) + 9.81 * seconds
         substeps = int(np.ceil(seconds * max(speed / (COURANT * self.spacing), 1.0 / LONGEST)))
         for substep in range(substeps):
@@ -62,7 +63,7 @@ class Fluid:
             self.velocities *= 1.0 - damping
 
     def frame(self):
-        """Positions, velocities [n, 3] and ids, in the order of the ids."""
+        """Returns positions [n, 3], velocities [n, 3] and ids [n], in the order of the ids."""
         order = np.argsort(self.ids, kind="stable")
         places, velocities = self.places[:, order].T, self.velocities[:, order].T
         return places.astype(np.float32), velocities.astype(np.float32), self.ids[order]
@@ -89,13 +90,14 @@ class Fluid:
             np.clip(places[axis], margin, top, out=places[axis])
 
     def _apart(self, places, pairs):
-        """Unit vectors from second to first, and 1 - distance / support, at least 0."""
+        """Returns for each pair the unit vector from second to first particle, and 1 - distance /
+        support, or 0 if this is negative."""
         apart = np.take(places, pairs[0], 1) - np.take(places, pairs[1], 1)
         length = np.sqrt(_squared(apart)) + 1e-9 * self.spacing
         return apart / length, np.maximum(1.0 - length / self.support, 0.0)
 
     def _corrections(self, places, pairs):
-        """Displacements by the excess density of each particle and of its neighbours."""
+        """Returns displacements by the excess density of each particle and of its neighbours."""
         first, second = pairs
         count = places.shape[1]
         direction, w = self._apart(places, pairs)
@@ -116,7 +118,7 @@ class Fluid:
         return moves
 
     def _walls(self, places):
-        """Missing density behind floor and sides, and its gradient.
+        """Returns the density that is missing behind floor and sides, and its gradient.
 
         The half space behind a plane at a distance d contains the fraction (3 w^5 - 2 w^6) / 2 of
         the kernel (1 - q)^3, w = 1 - d / support; planes at right angles cut independently.
@@ -135,7 +137,7 @@ class Fluid:
         return 1.0 - free[0] * free[1] * free[2], slopes
 
     def _cohere(self, places, pairs):
-        """Accelerations of neighbours: repulsive below a distance of one spacing, attractive from
+        """Returns accelerations by neighbours: repulsive at less than one spacing, attractive from
         1 to 1.6 spacings."""
         direction, w = self._apart(places, pairs)
         distance = SUPPORT * (1.0 - w)  # in spacings
@@ -152,7 +154,7 @@ class Fluid:
 
 
 def pairs_within(places, reach):
-    """Indices of all pairs nearer than `reach`, each once; `places` has a row for each axis."""
+    """Returns the indices of all pairs nearer than `reach`; `places` has a row for each axis."""
     cells, row, layer = _cells(places, reach)
     order = np.argsort(cells, kind="stable")
     cells, sorted_places = cells[order], np.take(places, order, axis=1)
@@ -173,7 +175,7 @@ def pairs_within(places, reach):
 
 
 def _cells(places, width):
-    """Number of each particle's cell, and the offsets of the next row and layer."""
+    """Returns the number of each particle's cell, and the offsets of the next row and layer."""
     index = np.floor(places / width).astype(np.int64)
     index -= index.min(axis=1, keepdims=True) - 1
     row, layer, _ = index.max(axis=1) + 2
@@ -185,14 +187,17 @@ def _squared(vectors):
 
 
 def _gather(first, second, values, count, sign=1):
-    """Sum over each particle's pairs; with sign -1 the second particle gets the opposite value."""
+    """Returns the sum of `values` over the pairs of each particle.
+
+    With a negative `sign`, the second particle of a pair gets the opposite value.
+    """
     firsts = np.bincount(first, values, count)
     seconds = np.bincount(second, values, count)
     return firsts + seconds if sign > 0 else firsts - seconds
 
 
 def _lattice(spacing, support):
-    """Density within a cubic lattice, for a kernel (1 - q)^3, and the stiffness of a constraint."""
+    """Returns density and stiffness of a constraint in a cubic lattice, by the kernel (1 - q)^3."""
     steps = np.arange(-2.0, 3.0)
     x, y, z = np.meshgrid(steps, steps, steps)
     w = np.maximum(1.0 - spacing * np.sqrt(x * x + y * y + z * z).ravel() / support, 0.0)

@@ -1,4 +1,4 @@
-"""A small ball grows into a larger one; prints its height at five times.
+"""A small ball grows into a larger ball; prints the height of the surface at five times.
 
 Run: python3 follow_sphere.py
 """

@@ -1,4 +1,4 @@
-"""A fountain: particles appear at a nozzle in each frame and leave by drains; so does their skin.
+"""A fountain: particles appear at a nozzle and leave by drains; skin forms and vanishes with them.
 
 Run: python3 fountain.py [--output FOLDER]
 """

@@ -6,14 +6,14 @@ STEP, DIRECTIONS = 0.1, 12  # of the rolling: part of a radius, and number
 
 
 def heights(points, own, centers, radii):
-    """Heights of a grain of radius `own` that rests at each of the points (x, z)."""
+    """Returns the height at which a grain of radius `own` rests, for each of the points (x, z)."""
     reach = (own + radii) ** 2 - ((points[:, None] - centers[:, [0, 2]]) ** 2).sum(axis=2)
     resting = np.where(reach > 0, centers[:, 1] + np.sqrt(np.maximum(reach, 0)), own)
     return np.max(resting, axis=1, initial=own)
 
 
 def make_pile(count, seed=0, width=4.0):
-    """Centers and radii of grains that fall one after another onto a spot."""
+    """Returns centers and radii of grains that fall one after another, near the origin."""
     random = np.random.default_rng(seed)
     angles = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
     around = STEP * np.stack([np.cos(angles), np.sin(angles)], axis=1)

@@ -11,7 +11,7 @@ RADIUS = 3.6
 
 
 def distance_to_knot(points):
-    """Signed distance to the tube around a trefoil, negative inside."""
+    """Returns the signed distance of points to the tube around a trefoil, negative inside."""
     t = np.linspace(0, 2 * np.pi, 600)
     knot = np.stack(
         [np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -1.4 * np.sin(3 * t)], -1
@@ -22,7 +22,7 @@ def distance_to_knot(points):
 
 
 def make_label():
-    """An image of 0 and 1, and the volume of its pixels of 1."""
+    """Returns an image, 1 in the knot and 0 elsewhere, and the volume of the pixels that are 1."""
     axes = [np.arange(-27, 27, side) for side in SPACING[:2]]
     axes.append(np.arange(-16, 16, SPACING[2]))
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")

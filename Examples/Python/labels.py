@@ -1,7 +1,7 @@
-"""A label of thick slices: the faces of its pixels, a windowed sinc, and the skin.
+"""Surfaces of a label of thick slices: the faces of its pixels, a windowed sinc, and the skin.
 
-The skin stays within half a pixel of the faces along each axis, half a slice along z, and has the
-volume of the pixels. The knot and its radius are known, so the errors can be printed.
+The skin stays within half a pixel of the faces along x and y, and within half a slice along z; it
+has the volume of the pixels. The knot and its radius are known, so the errors can be printed.
 
 Run: python3 labels.py [--output FOLDER]
 """

@@ -1,4 +1,4 @@
-"""A body of 400 particles becomes one of 50, then one of 400 again; its skin does not jump.
+"""A body has 400 particles, then 50, then 400 again; the skin of the body does not jump.
 
 Run: python3 level_of_detail.py [--output FOLDER]
 """
@@ -16,7 +16,7 @@ RADIUS = 0.55  # of a particle [spacings]: with sums of kernels, the skin has th
 
 
 def body(count):
-    """`count` particles, each with the same part of the body's volume."""
+    """Returns `count` particles, each with the same part of the body's volume."""
     spacing = np.cbrt(VOLUME / count)
     places = shaken(lattice((-10 * spacing,) * 3, (10 * spacing,) * 3, spacing), 0.15 * spacing, 2)
     nearest = np.argsort((places**2).sum(axis=1), kind="stable")[:count]

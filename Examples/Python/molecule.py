@@ -20,7 +20,7 @@ def unit(vectors):
 
 
 def atoms(pucker):
-    """Carbons in a ring, alternately above and below by `pucker`, and two hydrogens at each."""
+    """Returns carbons in a ring, in turn above and below by `pucker`, with two hydrogens each."""
     angles = np.arange(6) * np.pi / 3
     height = pucker * (-1.0) ** np.arange(6)
     carbons = np.stack([1.46 * np.cos(angles), height, 1.46 * np.sin(angles)], axis=1)

@@ -13,7 +13,7 @@ DURATION, FRAMES = 2.0, 21
 
 
 def solid(word):
-    """A closed mesh of extruded letters."""
+    """Returns a word as a closed mesh of extruded letters."""
     letters, extruded = vtkVectorText(), vtkLinearExtrusionFilter()
     triangles, closed = vtkTriangleFilter(), vtkCleanPolyData()
     letters.SetText(word)

@@ -1,6 +1,6 @@
 """A star, the potential of a skeleton of six points, becomes two balls that do not touch.
 
-Figure 6 of the paper: the surface parts by itself. Run: python3 morph_topology.py
+Figure 6 of the paper: the surface splits by itself. Run: python3 morph_topology.py
 """
 
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential

@@ -1,4 +1,4 @@
-"""Motion blur by the vectors of an .exr file: a pixel is a mean along its path in one frame.
+"""Motion blur by the vectors of an .exr file: each pixel is a mean along its path.
 
 Run: python3 motion_blur.py [--output FOLDER]
 """
@@ -16,7 +16,7 @@ STEP, SIZE, SAMPLES, REACH = 9, (640, 400), 24, 24  # REACH: largest blur [pixel
 
 
 def widest(vectors):
-    """The longest vector within REACH of each pixel, so that blur goes beyond the outline."""
+    """Returns the longest vector within REACH of each pixel, so that blur exceeds the outline."""
     for axis in (0, 1):
         shifted = [np.roll(vectors, shift, axis) for shift in range(-REACH, REACH + 1, 2)]
         longest = np.argmax([(v * v).sum(axis=2) for v in shifted], axis=0)

@@ -28,13 +28,13 @@ STRIPS = {
 
 
 def skin_of(series, **options):
-    """The skin of the last frame."""
+    """Returns the skin of the last frame."""
     *_, (_, skin) = active.frames(series, fps=RATE, **{**USUAL, **options})
     return skin
 
 
 def without_drops(step):
-    """Particles that end below a height; from the third frame on, all particles."""
+    """Returns the particles that are below 0.62 in the last frame; from the third frame on, all."""
     kept = np.flatnonzero(places[-1][:, 1] < (0.62 if step < 2 else np.inf))
     return as_particles(places[step][kept], ids=kept)
 

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 
 def make_particles(positions, velocities=None, ids=None):
-    """Points with the arrays Velocity and id, if given."""
+    """Returns points, with the arrays Velocity and id if these are given."""
     particles, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(positions, deep=True))
     particles.SetPoints(points)

@@ -1,4 +1,4 @@
-"""A ball splits into two; prints the events of its history, plots its volume and pieces.
+"""A ball splits into two balls; prints the events of the history, plots volume and components.
 
 Run: python3 plot_history.py [--output FOLDER]
 """

@@ -17,14 +17,14 @@ POOL, DROP, SPLASH = shaken(REST, 0.005, 1), ball(0.14, SPACING), ball(0.055, SP
 
 
 def ring(age, distance):
-    """Height of the water at a distance from the impact of a drop."""
+    """Returns the height of the water, above still water, at a distance from a drop's impact."""
     way = distance - 1.2 * age
     grown = np.clip(age / 0.08, 0, 1)
     return 0.1 * grown * np.exp(-1.2 * age - (way / 0.2) ** 2) * np.cos(18 * way)
 
 
 def parts_of(number, x, z, age):
-    """The falling drop and the droplets of its splash, each with its first id."""
+    """Yields the falling drop and the droplets of its splash, each with its first id."""
     first = len(POOL) + 10000 * number
     if age < 0.02:
         yield DROP + (x, DEPTH + 0.1 - 3 * age - 4.9 * age**2, z), first

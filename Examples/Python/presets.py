@@ -19,7 +19,7 @@ SHOWN = (0.6, 2.6, 0.36, 9, 0.7, 1.8)  # the top, without the edges
 
 
 def noisy_pool():
-    """A pool with a wave and with randomly displaced particles; the pool moves along x."""
+    """Returns frames of a pool that moves along x, with a wave and random displacements."""
     axes = [SPACING * np.arange(count) for count in (34, 6, 26)]
     places = np.stack(np.meshgrid(*axes), -1).reshape(-1, 3)
     places[:, 1] *= 1 + 0.2 * np.cos(2.4 * places[:, 0])

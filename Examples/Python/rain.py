@@ -13,7 +13,7 @@ WIDTH, HEIGHT, WALL, GREY = ACROSS * SPACING, 0.16, 0.04, (0.45, 0.46, 0.5)
 
 
 def pan():
-    """A floor and four walls around the water."""
+    """Returns an actor of a floor and four walls around the water."""
     parts, low, high = vtkAppendPolyData(), -WALL, WIDTH + WALL
     for x, y, z in (
         ((low, high), (low, 0), (low, high)),

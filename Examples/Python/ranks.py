@@ -1,6 +1,6 @@
 """One skin over particles that lie on the ranks of a parallel program, and pass from rank to rank.
 
-Run: python3 ranks.py [--output FOLDER] as the program of mpiexec -n 3. Needs mpi4py, VTK with MPI.
+Run: mpiexec -n 3 python3 ranks.py [--output FOLDER]. Needs mpi4py, and VTK with MPI.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ COLORS = (WATER, CLAY, (0.6, 0.8, 0.5), (0.8, 0.7, 0.9))
 
 
 def particles_at(time):
-    """Two lumps that move around each other."""
+    """Returns the particles, at a time, of two lumps that move around each other."""
     angles = 3 * time + np.array([0, np.pi])
     places = np.stack([0.62 * np.cos(angles), 0.1 * np.sin(2 * angles), 0.3 * np.sin(angles)], 1)
     return np.concatenate([ball(0.42, SPACING) + place for place in places])

@@ -1,4 +1,4 @@
-"""A splash of 992 particles as skins in one loop, with a film strip; nothing is set.
+"""Skins of a splash of 992 particles in one loop, with default properties, and a film strip.
 
 Run: python3 skin_and_film.py
 """

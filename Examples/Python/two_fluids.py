@@ -19,7 +19,7 @@ from two_layers import write_fluids
 
 
 def skins_of(path, spacing):
-    """For each frame both skins, and the first one as a function."""
+    """Yields for each frame the heavy skin, the light skin, and the function of the heavy skin."""
     options = {"particle_spacing": spacing}
     first = active.frames(path, where="phase=1", **options)
     light = active.ParticleSeries(path, where="phase=2")

@@ -7,7 +7,7 @@ SIZE, LEVEL, RATE = np.array([1.2, 0.8, 0.6]), 0.4, 25
 
 
 def flow(places, time):
-    """Velocity of a wave between the two fluids, free of divergence."""
+    """Returns the velocity of a wave between the two fluids, which is free of divergence."""
     x, y = np.pi * places[:, :2].T / SIZE[:2, None]
     along, up = SIZE[0] * np.sin(x) * np.cos(y), -SIZE[1] * np.cos(x) * np.sin(y)
     return 0.9 * np.cos(2 * np.pi * time) * np.stack([along, up, 0 * x], axis=1)

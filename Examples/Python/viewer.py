@@ -85,7 +85,7 @@ class Viewer:
         self.redraw()
 
     def save(self, suffix):
-        """Bytes of a file with the skin of this frame, for a download by the browser."""
+        """Returns a file with the skin of this frame, as an attachment for the browser."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "skin" + suffix)
             voxel = {"SetVoxelSize": self.motion.values()["voxel_size"]} if suffix == ".vdb" else {}
@@ -165,7 +165,7 @@ class Viewer:
         self.tell()
 
     def tell(self):
-        """Updates the page's facts about the motion."""
+        """Updates the numbers and the history that the page shows."""
         step, times, motion = self.state.step, self.motion.times, self.motion
         self.state.values = {name: f"{value:.3g}" for name, value in motion.values().items()}
         self.state.made = 0 if "motion" in self.wanted else len(motion.skins)

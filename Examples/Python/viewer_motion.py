@@ -39,11 +39,11 @@ class Motion:
         self._coming = iter(self._run)
 
     def stop(self):
-        """Makes no more skins until the next restart."""
+        """Stops the motion: no more skins are made until the next restart."""
         self._has_stopped = True
 
     def is_whole(self):
-        """Returns true if there are no more skins to make."""
+        """Returns True if there are no more skins to make."""
         return self._has_stopped or len(self.skins) == len(self.times)
 
     def advance(self):
@@ -51,8 +51,8 @@ class Motion:
         self.skins.append(next(self._coming).skin)
 
     def preview(self, step):
-        """Quick approximation of the skin of a frame: coarse, from a motion that begins shortly
-        before."""
+        """Returns a quick approximation of a frame's skin: coarse, and from a motion that begins
+        RUN_UP frames before the frame, or at the first frame."""
         first = max(0, step - RUN_UP)
         options = {**self._options(), "voxel_size": COARSE * self.values()["voxel_size"]}
         # The motion of the particles at `step` needs the next frame too.
@@ -62,14 +62,14 @@ class Motion:
         return next(run).skin
 
     def values(self):
-        """Properties in the units of the data."""
+        """Returns the properties of the sliders in the units of the data."""
         found = dict(self._data)
         for name, (_, _, _, one) in SLIDERS.items():
             found[name] = self.sliders[name] * one(found)
         return {name: found[name] for name in SLIDERS}
 
     def volumes(self):
-        """(time, volume) of the finished skins."""
+        """Returns the pairs (time, volume) of the finished skins."""
         if not self.skins:
             return []
         table = self._run.surface.GetHistory()
@@ -77,7 +77,7 @@ class Motion:
         return [(times.GetValue(i), volumes.GetValue(i)) for i in range(table.GetNumberOfRows())]
 
     def _estimate_spacing(self):
-        """Estimated spacing of the first frame that has at least two particles."""
+        """Returns the estimated spacing of the first frame that has at least two particles."""
         found = (estimate_spacing(self.files.load(step)) for step in range(len(self.times)))
         spacing = next((one for one in found if one > 0), 0.0)
         if spacing == 0:
@@ -88,8 +88,8 @@ class Motion:
         return TemporalSource(lambda i: self.files.load(first + i), self.times[first:last])
 
     def _options(self):
-        """Properties that have been changed, and the spacing and the voxel size of the sliders.
-        The filter determines the others."""
+        """Returns the changed properties, and always the sliders' spacing and voxel size.
+        The filter chooses the other properties."""
         changed = {name for name, slider in SLIDERS.items() if self.sliders[name] != slider[2]}
         wanted = changed | {"particle_spacing", "voxel_size"}
         return {name: value for name, value in self.values().items() if name in wanted}

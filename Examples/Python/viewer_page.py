@@ -16,7 +16,7 @@ TURN = "$event.buttons && trigger('turn', [$event.movementX, $event.movementY])"
 
 
 def build_page(server, sliders, times):
-    """Binds the page to the server's state; its triggers are turn, zoom and save."""
+    """Builds the page from the server's state; the page calls the triggers turn, zoom and save."""
     server.state.trame__title = "Active implicit surfaces"
     with SinglePageWithDrawerLayout(server) as layout:
         layout.title.set_text("Active implicit surfaces")
@@ -74,7 +74,7 @@ def _add_save_button(suffix):
 
 @contextmanager
 def _tooltip(text, location):
-    """Shows text beside the elements created within, which have to bind `props`."""
+    """Shows text beside the elements created in the context, which have to bind `props`."""
     bubble = v3.VTooltip(text=text, max_width=340, location=location)
     with bubble, v3.Template(v_slot_activator="{ props }"):
         yield
@@ -132,7 +132,7 @@ def _add_view(count):
 
 
 def draw_history(points, before, times, now):
-    """Volume over time as SVG, with that of the previous motion in gray."""
+    """Returns an SVG of the volume over time; the curve of the previous motion is gray."""
     top = _round_up(max((volume for _, volume in points + before), default=1.0))
 
     def across(time):

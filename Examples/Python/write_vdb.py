@@ -1,4 +1,4 @@
-"""The living skin over a splash as a series of narrow-band .vdb files, with its velocity.
+"""Writes the skin over a splash as a series of narrow-band .vdb files, with its velocity.
 
 Run: python3 write_vdb.py
 """

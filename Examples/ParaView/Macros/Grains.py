@@ -1,4 +1,4 @@
-"""Macro: the preset "grains" for the selected Active Implicit Surface."""
+"""Macro: applies the preset "grains" to the selected Active Implicit Surface."""
 
 from active_implicit_surfaces import paraview_presets
 

@@ -1,4 +1,4 @@
-"""Macro: the preset "molecule" for the selected Active Implicit Surface."""
+"""Macro: applies the preset "molecule" to the selected Active Implicit Surface."""
 
 from active_implicit_surfaces import paraview_presets
 
