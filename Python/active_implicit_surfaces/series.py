@@ -188,7 +188,8 @@ class ParticleSeries(TemporalSource):
     fps : float, optional
         Frames per unit of time [1/time], more than 0, instead of `times`: the times are 0, 1/fps,
         2/fps ..., and gaps in the numbers of files are gaps in time. Default: the times in the
-        files, else 25 frames per unit of time.
+        files, else 25 frames per unit of time. Time steps 0, 1, 2 ... in one VTK file are
+        numbers of frames, not times.
     where : str or sequence of str, optional
         Selects particles that meet all conditions: "Type=1", "T>300", "id!=3,4", "resname=LIG".
 

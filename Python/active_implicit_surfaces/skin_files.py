@@ -153,9 +153,9 @@ def holds_particles(path: Path) -> bool | None:
     """Returns True if a file has particles, False if a mesh or an image, None if no points.
 
     Particles are a vtkPolyData without polygons, or another point set with no cells but vertices. A
-    .vdb without points or polygons counts as particles. If the extension allows only particles, or
-    only meshes and images, the file is not read. Raises OSError for an unknown extension, or if the
-    file cannot be read.
+    vtkPolyData without points counts as particles if it is from a .vdb. If the extension allows
+    only particles, or only meshes and images, the file is not read. Raises OSError for an unknown
+    extension, or if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
