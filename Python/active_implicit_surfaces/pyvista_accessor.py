@@ -69,7 +69,8 @@ class ActiveSurfaceAccessor:
         ----------
         other : pyvista.PolyData, pyvista.ImageData, or another shape that `morph` accepts
         duration : float
-            Time [time] at which `other` is reached, unless ``attraction`` is given. Default: 1.
+            Time of the last skin [time]. The last skin is `other`, unless properties such as
+            ``attraction`` or ``tension`` prevent this. Default: 1.
         **options
             ``frames``, ``fit``, ``progress`` and the properties of vtkActiveImplicitSurface; see
             active_implicit_surfaces.morph.
