@@ -36,9 +36,9 @@ class morph(Skins):
         ``target_iso_value`` and ``invert_target``. Objects of PyVista, trimesh and meshio are
         accepted.
     duration : float
-        Time of the last skin [time], more than 0. Default: 1. Unless properties such as
-        ``attraction`` or ``tension`` prevent this, the last skin is `b`, to about a tenth of a
-        voxel if the shapes are meshes, images of distances or functions that are distances.
+        Time of the last skin [time], more than 0. Unless properties such as ``attraction`` or
+        ``tension`` prevent this, the last skin is `b`, to about a tenth of a voxel if the shapes
+        are meshes, images of distances or functions that are distances. Default: 1.
     frames : int
         Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str
