@@ -1,6 +1,6 @@
 """One skin over particles that lie on the ranks of a parallel program, and pass from rank to rank.
 
-Run: mpiexec -n 3 python3 ranks.py [--output FOLDER]. Needs mpi4py, and VTK with MPI.
+Run: python3 ranks.py [--output FOLDER], on ranks by mpiexec -n 3. Needs mpi4py, VTK with MPI.
 """
 
 import numpy as np

@@ -64,7 +64,7 @@ class Files(CommandTest):
         said, path = self.write(".stl")
         self.assertIn("A .stl file rounds points to single precision, by up to", said)
         self.assertIn("or move the data near the origin before writing a .stl.", said)
-        with self.assertWarnsRegex(ActiveSurfaceWarning, "steps of up to 0.5 here, where edges"):
+        with self.assertWarnsRegex(ActiveSurfaceWarning, "to steps of up to 0.5, but edges"):
             read_shape(path)
 
     def test_a_vdb(self):
@@ -180,7 +180,9 @@ class SinglePrecision(CommandTest):
         self.assertLess(numpy.abs(points_of(mesh) - MAP - vertices).max(), 1e-9)
         colours = vtk_to_numpy(mesh.GetPointData().GetArray("RGB"))[:, 0]
         self.assertEqual(colours.tolist(), [0, 64, 128, 191])
-        with self.assertWarnsRegex(ActiveSurfaceWarning, "b.obj: points of single precision"):
+        with self.assertWarnsRegex(
+            ActiveSurfaceWarning, "b.obj: single precision has rounded the points"
+        ):
             read_shape(self.folder / "b.obj")
 
     def test_a_mesh_near_the_origin_has_no_note(self):

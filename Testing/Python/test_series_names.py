@@ -23,9 +23,9 @@ class IndicesOfOthers(ReaderTest):
 
     def test_an_entry_without_name_or_time(self):
         for name, text, words in (
-            ("a.series", '{"files": ["0.csv"]}', "a name and time in each entry"),
-            ("a.series", '{"files": [{"name": "0.csv"}]}', "a name and time in each entry"),
-            ("a.pvd", '<VTKFile><DataSet timestep="0"/></VTKFile>', "a file in each entry"),
+            ("a.series", '{"files": ["0.csv"]}', "`name` and `time` in each entry"),
+            ("a.series", '{"files": [{"name": "0.csv"}]}', "`name` and `time` in each entry"),
+            ("a.pvd", '<VTKFile><DataSet timestep="0"/></VTKFile>', "`file` in each entry"),
         ):
             with self.subTest(text):
                 self.assert_refused(words, self.put(name, text))
@@ -37,7 +37,9 @@ class IndicesOfOthers(ReaderTest):
             f'<DataSet timestep="0" part="{n}" file="{n}.csv"/>' for n in ("fluid", "wall")
         )
         path = self.put("a.pvd", f"<VTKFile>{rows}</VTKFile>")
-        with self.assertWarnsRegex(UserWarning, "left out: T; some parts of the frame lack"):
+        with self.assertWarnsRegex(
+            UserWarning, "T are left out, because some parts of the frame lack"
+        ):
             cloud = open_particles(path).load(0)
         self.assertEqual(array_of(cloud, "id"), [1, 2])
 
