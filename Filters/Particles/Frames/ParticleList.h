@@ -84,13 +84,7 @@ public:
     }
   }
 
-  double GetLargestRadius() const
-  {
-    const std::vector<double>& each = this->Radii.Each;
-    return this->empty() ? 0.0
-      : each.empty()     ? this->Radii.Common
-                         : *std::max_element(each.begin(), each.end());
-  }
+  double GetLargestRadius() const { return this->empty() ? 0.0 : this->Radii.GetLargest(); }
 
   bool AreSingle() const { return this->IsSingle; }
   // Returns true if a strength is not 1.
@@ -103,9 +97,7 @@ public:
   bool LimitStrengths(double most)
   {
     this->MostStrength = most;
-    const std::vector<double>& each = this->Strengths.Each;
-    return !this->empty() &&
-      (each.empty() ? this->Strengths.Common : *std::max_element(each.begin(), each.end())) > most;
+    return !this->empty() && this->Strengths.GetLargest() > most;
   }
 
   // Radius of all particles; valid only if the radii are equal.
@@ -165,6 +157,11 @@ private:
     std::vector<double> Each; // empty if all values are Common
 
     double Get(std::size_t i) const { return this->Each.empty() ? this->Common : this->Each[i]; }
+    double GetLargest() const
+    {
+      return this->Each.empty() ? this->Common
+                                : *std::max_element(this->Each.begin(), this->Each.end());
+    }
     // count: number of values so far.
     void Add(double value, std::size_t count)
     {
