@@ -251,4 +251,29 @@ TEST(TestNodeFits, AParticleWithoutStrengthAddsNothing)
   }
 }
 
+// In single precision, products of these strengths underflow.
+TEST(TestNodeFits, TinyStrengthsGiveNoNaN)
+{
+  for (const double strength : { 1e-25, 1e-38, 1e-40, 1e-44 })
+  {
+    std::vector<SkeletonVertex> block = MakeBlock(4);
+    for (SkeletonVertex& particle : block)
+    {
+      particle.Strength = strength;
+    }
+    block.front().Strength = 0.0;
+    ParticleNodes nodes;
+    Build(block, nodes);
+    Shell shell;
+    nodes.FindShell(false, shell);
+    for (const ShellLeaf& leaf : shell.Leaves)
+    {
+      float values[512];
+      nodes.EvaluateLeaf(leaf, values);
+      EXPECT_TRUE(std::all_of(values, values + 512, [](float value) { return value == value; }))
+        << strength;
+    }
+  }
+}
+
 }
