@@ -48,7 +48,7 @@ layers = render.write_exr(window, layered, renderer=view.GetRenderer(), frame_du
 ids = vtk_to_numpy(layers.GetPointData().GetArray("id"))
 print(f"wrote {layered}: the skin in {(ids > 0).sum()} pixels")
 
-# As .exr, Save Data writes all arrays of an image of one slice.
+# Save Data writes an image of one slice, with all arrays, into an .exr.
 extent = list(skin.GetDataInformation(1).GetExtent())
 extent[4] = extent[5] = (extent[4] + extent[5]) // 2
 middle = ExtractSubset(Input=OutputPort(skin, 1), VOI=extent)

@@ -3,7 +3,7 @@
 // Run: BenchmarkSubsteps [n, 64] [motion, all]
 //
 // n is the number of nodes along a side of [-1,1]^3, motion a part of the names of the motions to
-// run. A ball whose exact radius or centre is known moves
+// run. A ball with an exact solution of radius or centre moves
 //
 //   uniform speed: from 0.3 by 0.3, outward, on a target that is -1 everywhere
 //   approach: from 0.3 to a ball of radius 0.55 at Attraction 1; the largest error in 40 frames

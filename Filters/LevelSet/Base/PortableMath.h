@@ -1,7 +1,7 @@
 /**
- * Exponentials by exactly rounded operations only, so results are bitwise identical on
- * all processors. The results of C libraries depend on the processor's instructions and on the
- * release of the library: in one of a thousand calls the last bit differs.
+ * Exponentials by exactly rounded operations only, so results are bitwise identical on all
+ * processors. The results of C libraries depend on the processor's instructions and on the release
+ * of the library: in one of a thousand calls the last bit differs.
  */
 #ifndef PortableMath_h
 #define PortableMath_h

@@ -105,9 +105,8 @@ void ParticleShape::LimitStrengths(const TargetOptions& options, const Warnings&
     !isSum)
   {
     messages.Say("limited strengths",
-      "Strengths of particles above 1 count as 1 with ParticleModel ANISOTROPIC; use SUM, or "
-      "choose "
-      "no array of strengths.");
+      "Strengths of particles above 1 count as 1 with ParticleModel ANISOTROPIC; use SUM, "
+      "or choose no array of strengths.");
   }
 }
 
