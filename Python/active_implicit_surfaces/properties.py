@@ -113,6 +113,13 @@ def put(surface: Any, values: Mapping[str, Any]) -> None:
         _put_one(surface, find(keyword), value)
 
 
+def values(surface: Any) -> dict[str, Any]:
+    """Returns the values of all properties of a filter by their keywords, without objects."""
+    return {
+        own.keyword: getattr(surface, "Get" + own.name)() for own in every() if own.kind != "object"
+    }
+
+
 def _put_one(surface: Any, own: Property, value: Any) -> None:
     if own.kind == "choice" and isinstance(value, str):
         value = _number_of_choice(own, value)

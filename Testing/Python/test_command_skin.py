@@ -249,7 +249,38 @@ class GoingOn(CommandTest):
     def test_a_damaged_state_is_told(self):
         self.fail_with(1, *self.command)
         (self.folder / "a" / ".s.state.vdb").write_bytes(b"no grid")
-        self.assertIn("No state of a surface", self.fail_with(1, *self.command, "--resume"))
+        said = self.fail_with(1, *self.command, "--resume")
+        self.assertEqual(said.count(".s.state.vdb"), 1, said)
+        self.assertIn(".s.state.vdb cannot be read", said)
+
+    def test_new_frames_keep_the_properties_of_the_preset(self):
+        command = [*self.command, "--preset", "viscous", "--resume", "--times"]
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        names = [self.folder / f"p{step}.npy" for step in range(6)]
+        notes = self.folder / "a" / ".s.state.json"
+        made = []
+        for count, times in (3, "0,.04,.08"), (6, "0,.04,.08,.09,.1,.11"):
+            self.succeed("skin", *names[:count], *command[2:], times)
+            made.append(json.loads(notes.read_text())["properties"])
+        self.assertEqual(*made)
+        self.assertGreater(made[0]["attraction"], 0)
+
+    def test_a_file_of_one_frame_may_grow(self):
+        frames = numpy.stack(list(moving_grid(3)))
+        name, skins = self.folder / "all.npy", self.folder / "c" / "s_#.vtp"
+        for count in 1, 3:
+            numpy.save(name, frames[:count])
+            self.succeed("skin", name, "-o", skins, "--particle-spacing", ".1", "--resume")
+        self.succeed("skin", name, "-o", self.folder / "d" / "s_#.vtp", "--particle-spacing", ".1")
+        pair = [bytes_of(self.folder / folder / "s_2.vtp") for folder in "cd"]
+        self.assertEqual(*pair)
+
+    def test_a_file_of_one_frame_that_has_changed_is_told(self):
+        name, command = self.folder / "all.npy", ["-o", self.folder / "c" / "s_#.vtp", "--resume"]
+        numpy.save(name, grid()[None])
+        self.succeed("skin", name, *command)
+        numpy.save(name, grid()[None] + 0.01)
+        self.assertIn("has since changed", self.fail_with(1, "skin", name, *command))
 
     def test_a_state_that_cannot_be_saved_leaves_the_one_before(self):
         files = [self.folder / f"p{step}.npy" for step in range(6)]

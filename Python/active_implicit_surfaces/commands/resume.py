@@ -8,6 +8,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
+from .. import properties
 from ..file_names import replacing, without_number
 from ..messages import listening
 from ..runner import Sink, Skins
@@ -38,7 +39,6 @@ class Resumption(Sink):
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
-        self._may_grow = len(files) > 1 == len({*files})  # a single file of all frames
         self._saved = time.monotonic()
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
@@ -53,6 +53,7 @@ class Resumption(Sink):
             notes = json.loads(self.notes.read_text(encoding="utf-8"))
             done, past, then = int(notes["done"]), [*notes["times"]], dict(notes["options"])
             files, view = [[*file] for file in notes["files"]], notes.get("view")
+            values = dict(notes["properties"])
             if view:
                 view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
         except (ValueError, KeyError, TypeError, IndexError) as error:
@@ -61,10 +62,12 @@ class Resumption(Sink):
             ) from error
         self._compare(then, past, times[:done])
         self._compare_files(files)
+        # A preset chooses by the interval and spacing of the series, which may have grown.
+        properties.put(surface, values)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
-        if heard.errors:  # without the filter's own advice
-            said = heard.errors[0].partition(";")[0]
+        if heard.errors:  # without what its second part says again, and the filter's own advice
+            said = heard.errors[0].partition(f"loaded from {self.state}: ")[2].partition(";")[0]
             raise OSError(f"{said}; run without --resume to make all skins again.")
         self.view = view
         return done
@@ -84,7 +87,8 @@ class Resumption(Sink):
             "done": done,
             "times": times[:done],
             "options": self.description,
-            "files": self._marks(done),
+            "files": [_mark(file) for file in self._files[:done]],
+            "properties": properties.values(surface),
             "view": self.view,
         }
         with replacing(self.notes) as temporary:
@@ -141,22 +145,21 @@ class Resumption(Sink):
             )
 
     def _compare_files(self, then: list[list[Any]]) -> None:
-        for before, now in zip(then, self._marks(len(then))):
-            if before != now:
+        may_grow = len({*self._files}) == 1 < len(self._files)  # one file of several frames
+        for before, file in zip(then, self._files):
+            now = _mark(file)
+            if before != now and not (may_grow and before[0] == now[0]):
                 what = "has since changed" if before[0] == now[0] else f"is in place of {before[0]}"
                 raise ValueError(
                     f"The skins so far were made from other files: {now[0]} {what}; run without "
                     "--resume to make all skins again."
                 )
 
-    def _marks(self, count: int) -> list[list[Any]]:
-        """Returns [name, size, mtime] of the first `count` files; [name] if a file may grow."""
-        marks: list[list[Any]] = []
-        for file in self._files[:count]:
-            own = file.stat()
-            more = [] if self._may_grow else [own.st_size, own.st_mtime_ns]
-            marks.append([str(file), *more])
-        return marks
+
+def _mark(file: Path) -> list[Any]:
+    """Returns [name, size, mtime in ns]."""
+    own = file.stat()
+    return [str(file), own.st_size, own.st_mtime_ns]
 
 
 def _with(name: str, value: Any) -> str:
