@@ -48,6 +48,7 @@ _CORNER = re.compile(rb"(-?\d+)(?:/(-?\d*)(?:/(-?\d*))?)?")
 _ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # joined with the next line
 
 _NO_POINTS = "No Points element available"
+_NO_RANGE = "Error reading InformationKey"  # VTK writes, but cannot read, a range of NaN
 _ABOUT_APPENDED_DATA = (
     " If the file is complete: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; "
     "write the file with SetDataModeToBinary (in ParaView: Data Mode Binary)."
@@ -136,7 +137,11 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
 
 
 def _check(path: Path, errors: list[str], failed: bool = False) -> None:
-    errors = [said for said in errors if not (_NO_POINTS in said and _is_empty(path))]
+    errors = [
+        said
+        for said in errors
+        if _NO_RANGE not in said and not (_NO_POINTS in said and _is_empty(path))
+    ]
     if errors or failed:
         said = (
             errors[0].removeprefix(f"The file {path} cannot be read: ").rstrip(".")

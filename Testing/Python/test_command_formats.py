@@ -20,7 +20,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
 
 # Rounding of coordinates below 1 to single precision, or to 9 digits of text.
 FLOAT = 6e-8
@@ -111,6 +115,14 @@ class Particles(CommandTest):
         # Oxygen's van der Waals radius is 1.52. The hydrogens are on the other side (y > 0). The
         # tolerance is half a voxel.
         self.assertAlmostEqual(bounds[2], -1.52, delta=0.16)
+
+    def test_a_vtp_with_a_range_that_vtk_cannot_read(self):
+        speeds = numpy.full((125, 3), math.nan)
+        cloud = data_objects.as_particles(grid(), speed=speeds)
+        cloud.GetPointData().GetArray("speed").GetRange(-1)  # computed ranges are written
+        path = write(vtkXMLPolyDataWriter(), cloud, self.folder / "a.vtp")
+        read = open_particles(path).load(0).GetPointData().GetArray("speed")
+        numpy.testing.assert_array_equal(vtk_to_numpy(read), speeds)
 
     def test_npz_with_frames_and_times(self):
         path = self.folder / "a.npz"
