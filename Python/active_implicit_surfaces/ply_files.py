@@ -54,8 +54,8 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points of a .ply; scalar properties of vertices and polygons become arrays.
 
-    Lists of polygons other than vertex indices are left out, with a warning. If the file also has
-    strips, scalar properties of polygons are left out, with a warning.
+    Lists other than vertex indices are left out, with a warning. If the file also has strips,
+    scalar properties of polygons are left out, with a warning.
 
     Raises OSError if the file is damaged, or lacks vertices or the vertex indices of its faces.
     """
@@ -196,8 +196,9 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     else:
         numbers = {name: own for name, own in faces.items() if _is_number(own)}
         _add_arrays(mesh, mesh.GetCellData(), numbers)
-    if lost := [name for name, own in faces.items() if not _is_number(own)]:
-        warn(f"{path}: list properties of polygons are left out: {', '.join(lost)}.")
+    for owner, columns in (("vertices", vertices), ("polygons", faces)):
+        if lost := [name for name, own in columns.items() if not _is_number(own)]:
+            warn(f"{path}: list properties of {owner} are left out: {', '.join(lost)}.")
     return mesh
 
 

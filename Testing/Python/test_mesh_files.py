@@ -94,6 +94,16 @@ class MeshFiles(CommandTest):
         said = self.succeed("convert", "a.ply", "-o", "a.vtp").err
         self.assertIn("a.ply: list properties of polygons are left out: texcoord.", said)
 
+    def test_lists_of_vertices_are_left_out(self):
+        self.put(
+            "a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+            "property float y\nproperty float z\nproperty list uchar int bonds\nend_header\n"
+            "0 0 0 2 1 2\n",
+        )
+        said = self.succeed("convert", "a.ply", "-o", "a.vtp").err
+        self.assertIn("a.ply: list properties of vertices are left out: bonds.", said)
+
     def test_a_ply_of_strips(self):
         head = "ply\nformat ascii 1.0\nelement vertex 4\n"
         head += "".join(f"property float {axis}\n" for axis in "xyz")
