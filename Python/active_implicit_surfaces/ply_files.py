@@ -196,8 +196,8 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     else:
         numbers = {name: own for name, own in faces.items() if _is_number(own)}
         _add_arrays(mesh, mesh.GetCellData(), numbers)
-    for owner, columns in (("vertices", vertices), ("polygons", faces)):
-        if lost := [name for name, own in columns.items() if not _is_number(own)]:
+    for owner, own_columns in (("vertices", vertices), ("polygons", faces)):
+        if lost := [name for name, own in own_columns.items() if not _is_number(own)]:
             warn(f"{path}: list properties of {owner} are left out: {', '.join(lost)}.")
     return mesh
 
