@@ -381,8 +381,9 @@ def replacing(path: Path) -> Iterator[Path]:
         yield temporary
         os.replace(temporary, path)
     except OSError as error:
+        said = f"{path} cannot be written: {error.strerror}."
         if error.strerror is None:
-            raise
-        raise OSError(f"{path} cannot be written: {error.strerror}.") from error
+            said = str(error).replace(temporary.name, path.name)
+        raise OSError(said) from error
     finally:
         temporary.unlink(missing_ok=True)

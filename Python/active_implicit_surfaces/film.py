@@ -159,6 +159,7 @@ class _Ogg:
         except ImportError as error:
             raise OSError(f"{path}: this VTK cannot write .ogv; write .mp4 or pictures.") from error
         self.path, self.writer, self.started = path, vtkOggTheoraWriter(), False
+        self.temporary = temporary
         self.writer.SetFileName(str(temporary))
         self.writer.SetRate(max(1, round(fps)))
         self.writer.SetQuality(2)
@@ -173,5 +174,20 @@ class _Ogg:
     def close(self, is_whole: bool) -> None:
         if self.started:
             self.writer.End()
-        if is_whole and (not self.started or self.writer.GetErrorCode()):
+        failed = not self.started or self.writer.GetErrorCode() or not _is_whole(self.temporary)
+        if is_whole and failed:
             raise OSError(f"{self.path} cannot be written; check the folder and its free space.")
+
+
+def _is_whole(path: Path) -> bool:
+    """Returns True if an .ogv consists of pages (RFC 3533), of which the last ends the film.
+
+    VTK's writer does not report a full disk.
+    """
+    flags = 0
+    with path.open("rb") as file:
+        while len(head := file.read(27)) == 27 and head[:4] == b"OggS":
+            flags, lengths = head[5], file.read(head[26])
+            if len(lengths) < head[26] or len(file.read(sum(lengths))) < sum(lengths):
+                return False
+    return not head and bool(flags & 4)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import io
 import json
 import re
 from collections.abc import Sequence
@@ -96,7 +97,10 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
         _prepare_writer(writer, suffix, mesh)
         for setting, value in settings.items():
             getattr(writer, setting)(value)
-        writer.SetFileName(str(temporary))
+        if suffix == ".vtp":
+            writer.WriteToOutputStringOn()  # VTK 9.1 crashes when the disk is full
+        else:
+            writer.SetFileName(str(temporary))
         if suffix == ".vdb" and port is None and mesh.GetNumberOfPoints() == 0:
             surface = _skin_of_nothing()
             port = surface.GetOutputPort()
@@ -106,9 +110,11 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
             writer.SetInputData(mesh)
         with quiet(), listening(writer) as heard:
             writer.Write()
+        if suffix == ".vtp" and not heard.errors and not writer.GetErrorCode():
+            temporary.write_text(writer.GetOutputString(), encoding="utf-8")
         if heard.errors or writer.GetErrorCode() or not temporary.exists():
             said = heard.errors[0] if heard.errors else "check the folder and its free space."
-            raise OSError(f"{path} cannot be written: {said}".replace(str(temporary), str(path)))
+            raise OSError(f"{path} cannot be written: {said}")
 
 
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
@@ -188,8 +194,9 @@ def write_particles(path: Path, cloud: Any) -> None:
     positions, arrays = points_of(cloud), _arrays_of(cloud)
     with replacing(path) as temporary:
         if suffix == ".npz":
-            with temporary.open("wb") as file:
-                numpy.savez(file, positions=positions, **arrays)
+            held = io.BytesIO()  # savez would also report errors when its file is deleted
+            numpy.savez(held, positions=positions, **arrays)
+            temporary.write_bytes(held.getbuffer())
         elif suffix == ".xyz":
             head = "" if len(positions) else "x y z"  # an empty file cannot be read
             numpy.savetxt(temporary, positions, fmt=_format_of(positions), header=head)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -78,19 +79,40 @@ class UsdFilm(Sink):
         self._mesh = UsdGeom.Mesh.Define(stage, "/skin")
         stage.SetDefaultPrim(self._mesh.GetPrim())
         self._mesh.CreateSubdivisionSchemeAttr("none")
+        self._ending.push(self._close)
         if self.up in TO_Y and self.up != "z":
             x, y, z, w = TO_Y[self.up]
             self._mesh.AddOrientOp().Set(Gf.Quatf(w, x, y, z))
         return self
 
-    def __exit__(self, kind: Any, *error: Any) -> None:
-        if kind is None:
-            self._stage.Save()
+    def __exit__(self, *error: Any) -> None:
+        self._ending.__exit__(*error)
+
+    def _close(self, kind: Any, *_: Any) -> None:
+        stage = self._stage
         del self._mesh, self._stage
-        self._ending.__exit__(kind, *error)
+        if kind is None:
+            with self._converting():
+                stage.Save()
+
+    @contextmanager
+    def _converting(self) -> Iterator[None]:
+        """Converts errors of the library to OSError."""
+        from pxr import Tf
+
+        try:
+            yield
+        except Tf.ErrorException as error:
+            raise OSError(
+                f"{self.path} cannot be written; check the folder and its free space."
+            ) from error
 
     def add(self, step: int, data: Any) -> None:
         """Writes the mesh of a step."""
+        with self._converting():
+            self._write(step, data)
+
+    def _write(self, step: int, data: Any) -> None:
         from pxr import UsdGeom, Vt
 
         warn_of_losses(self.path.suffix, data)
