@@ -1,6 +1,7 @@
 """Surfaces by other programs and by single filters, for real_data.py.
 
-Run: python3 real_peers.py ovito METHOD PDB FOLDER, in a process of its own as OVITO brings Qt.
+real_data.py starts this file as a program for OVITO, which loads a Qt of its own:
+python3 real_peers.py ovito METHOD PDB FOLDER (METHOD: alpha or density).
 """
 
 import resource

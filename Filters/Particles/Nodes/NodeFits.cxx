@@ -258,9 +258,10 @@ bool NodeFits::PlaceBeside(
   return counts;
 }
 
-// A particle that fades in or out counts with full strength at its own points Away and Across (see
-// GroupFits), so that an isolated particle fades to nothing. Returns the part of the particle's
-// contribution that is missing at the point Away (place 0) or Across (place 3).
+// FindStrengths divides a particle's strength by the sum of kernels at the particle's points Away
+// and Across (see GroupFits). A particle that fades in or out counts fully in its own sums; else an
+// isolated particle would not fade. Returns what the sum at Away (place 0) or Across (place 3)
+// lacks: (1 - strength) times the particle's kernel.
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);

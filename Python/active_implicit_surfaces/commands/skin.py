@@ -176,7 +176,7 @@ def make_parser() -> Parser:
     more.add_argument(
         "--index",
         metavar="NAME",
-        help="name of the .pvd or .series that lists the skins; none: no list",
+        help="name of the .pvd or .series that lists the skins, or none: write no list",
     )
     more.add_argument(
         "--history", metavar="NAME", help="write a .csv of volume, area, pieces, events ..."
