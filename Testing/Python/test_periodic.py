@@ -22,7 +22,7 @@ from command_line import CommandTest
 from listener import Listener
 from shapes import points_of, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkBox
+from vtkmodules.vtkCommonDataModel import vtkBox, vtkSphere
 from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkFeatureEdges
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -244,6 +244,15 @@ class Drops(unittest.TestCase):
         skin = skin_at(surface, 0)
         self.assertIn("PeriodicBounds has no effect here", " ".join(heard.warnings))
         self.assertLess(points_of(skin)[:, 0].min(), -0.45, "not cut at the side")
+
+    def test_a_function_has_no_box(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetTargetFunction(vtkSphere())
+        surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        surface.SetPeriodicBounds(BOX)
+        heard = Listener(surface)
+        surface.Update()
+        self.assertIn("PeriodicBounds has no effect here", " ".join(heard.warnings))
 
     def test_narrow_boxes_are_refused(self):
         for side in (0.19, 1e-9):

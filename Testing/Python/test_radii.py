@@ -75,6 +75,26 @@ class Balls(unittest.TestCase):
         self.assertGreater(volume, 4 / 3 * numpy.pi * radii.max() ** 3)
         self.assertLess(volume, 4 * 4 / 3 * numpy.pi * (2 * radii.max()) ** 3)
 
+    def test_radii_that_do_not_fit_the_spacing_are_told(self):
+        rows = numpy.arange(6.0)
+        body = numpy.stack(numpy.meshgrid(rows, rows, rows), -1).reshape(-1, 3)
+        fine = 0.5 * body + [6, 0, 0]
+        sizes = numpy.r_[numpy.full(216, 0.5), numpy.full(216, 0.25)]
+        loose = numpy.random.default_rng(1).uniform(0, 6, (216, 3))
+        for points, radii, options, are_told in (
+            (body, numpy.full(216, 0.5), {}, False),
+            (loose, numpy.full(216, 0.5), {}, False),
+            (numpy.concatenate([body, fine]), sizes, {}, False),
+            (body, numpy.full(216, 0.65), {"particle_model": "sum"}, False),
+            (body, numpy.full(216, 0.65), {}, True),
+            (body, numpy.full(216, 1.0), {"particle_spacing": 1.0}, True),
+        ):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                active.skin(points, radii=radii, **options)
+            said = " ".join(str(each.message) for each in caught)
+            self.assertEqual("The radii are too large" in said, are_told, said)
+
     def test_a_preset_for_atoms(self):
         self.check([1.7, 1.1], 0.25, preset="molecule")
 

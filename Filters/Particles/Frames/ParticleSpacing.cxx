@@ -139,6 +139,29 @@ std::vector<SkeletonVertex> PickSamples(const ParticleList& particles)
   return samples;
 }
 
+// Returns the median of valueOf(particle, distance to its third nearest neighbour) over the sample;
+// see FindSpacing.
+template <class Function>
+double FindMedianOf(const ParticleFrame& frame, const Function& valueOf)
+{
+  const std::size_t count = frame.Particles.size();
+  if (count < 2)
+  {
+    return 0.0;
+  }
+  const Neighbourhoods near(frame.Particles);
+  std::vector<double> values;
+  for (const SkeletonVertex& sample : PickSamples(frame.Particles))
+  {
+    const double distance = near.FindNearest(sample.Position)[std::min(Nearest, count) - 1];
+    if (distance > 0.0)
+    {
+      values.push_back(valueOf(sample, distance));
+    }
+  }
+  return values.empty() ? 0.0 : FindMedian(values);
+}
+
 }
 
 double FindMedianRadius(const ParticleFrame& frame)
@@ -153,22 +176,14 @@ double FindMedianRadius(const ParticleFrame& frame)
 
 double FindSpacing(const ParticleFrame& frame)
 {
-  const std::size_t count = frame.Particles.size();
-  if (count < 2)
-  {
-    return 0.0;
-  }
-  const Neighbourhoods near(frame.Particles);
-  std::vector<double> spacings;
-  for (const SkeletonVertex& sample : PickSamples(frame.Particles))
-  {
-    const double distance = near.FindNearest(sample.Position)[std::min(Nearest, count) - 1];
-    if (distance > 0.0)
-    {
-      spacings.push_back(distance);
-    }
-  }
-  return spacings.empty() ? 0.0 : FindMedian(spacings);
+  return FindMedianOf(frame, [](const SkeletonVertex&, double distance) { return distance; });
+}
+
+double FindOverlap(const ParticleFrame& frame)
+{
+  return FindMedianOf(frame,
+    [&frame](const SkeletonVertex& particle, double distance)
+    { return 2.0 * particle.Radius / frame.ReachPerRadius / distance; });
 }
 
 }

@@ -18,6 +18,10 @@ namespace activesurface
 // 0 if all distances are 0, or for fewer than two particles.
 VTKACTIVEPARTICLES_EXPORT double FindSpacing(const ParticleFrame& frame);
 
+// Returns the median ratio of a particle's diameter to the distance that FindSpacing uses. Needs
+// radii.
+VTKACTIVEPARTICLES_EXPORT double FindOverlap(const ParticleFrame& frame);
+
 // Returns the median support radius over the sample of FindSpacing. Needs at least one particle.
 VTKACTIVEPARTICLES_EXPORT double FindMedianRadius(const ParticleFrame& frame);
 

@@ -44,7 +44,7 @@ void TargetBuilder::Clear()
   this->Frames.Clear();
   this->Kind = std::make_shared<NoShape>();
   this->EstimatedSpacing = 0.0;
-  this->ThinPartsKnown = false;
+  this->ThinPartsKnown = this->OverlapKnown = false;
   this->Initial.reset();
   this->DomainKnown = false;
   this->Domain = SurfaceDomain();
@@ -181,6 +181,7 @@ std::string TargetBuilder::PrepareShape(
 void TargetBuilder::Prepare(int step, InputShape& shape)
 {
   this->EstimateSpacing(shape);
+  this->WarnOfLargeRadii(shape);
   TargetOptions options = this->GetOptions();
   options.When = this->DescribeStep(step);
   // At the level IsoValue, distances on both sides of the level are needed.
@@ -190,11 +191,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + options.When + ": ";
   this->Report("flaw of the target", this->PrepareShape(shape, options, where));
-  if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
-  {
-    this->Messages.Say("no particles in a box",
-      "PeriodicBounds has no effect here: the target has no particles; unset PeriodicBounds.");
-  }
+  this->WarnOfUnusedBox(!shape.HasPoints() || shape.GetParticles());
   this->WarnOfThinParts(shape, where);
 }
 
@@ -336,6 +333,7 @@ void TargetBuilder::MakeTarget()
   this->Moving = nullptr;
   if (!this->Settings.UsesInput())
   {
+    this->WarnOfUnusedBox(false);
     this->Target = this->MakeFunctionTarget();
     return;
   }

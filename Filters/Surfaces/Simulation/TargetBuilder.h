@@ -201,6 +201,8 @@ private:
   void Report(
     const std::string& reason, const std::string& sentence); // if the sentence is not empty
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
+  void WarnOfLargeRadii(const InputShape& shape);
+  void WarnOfUnusedBox(bool isUsed) const;
   void PrepareInitial();
   double GetSpacing() const;
   double GetPixel() const; // of the finest first image [length]; 0: no image
@@ -219,6 +221,7 @@ private:
   KindPointer Kind; // the last frame with points; all frames have its kind
   double EstimatedSpacing = 0.0;
   bool ThinPartsKnown = false; // checked and reported
+  bool OverlapKnown = false;   // checked and reported
   std::shared_ptr<InputShape> Initial;
   bool DomainKnown = false;
   SurfaceDomain Domain;

@@ -144,6 +144,15 @@ vtkBoundingBox TargetBuilder::FindBoundsOfInside(int step) const
   return shapes;
 }
 
+void TargetBuilder::WarnOfUnusedBox(bool isUsed) const
+{
+  if (!isUsed && this->Settings.Particles.ArePeriodic())
+  {
+    this->Messages.Say("no particles in a box",
+      "PeriodicBounds has no effect here: the target has no particles; unset PeriodicBounds.");
+  }
+}
+
 bool TargetBuilder::StartsOnNothing() const
 {
   const InputShape* first = this->Frames.Find(0);

@@ -18,21 +18,28 @@ namespace
 // may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
+// Diameters of particles, compared with the distances of FindSpacing: with radii of half of the
+// spacing, 0.86 to 1.16 times.
+constexpr double MostOverlap = 1.2;
+constexpr std::size_t LeastParticles = 4; // those with three neighbours
+
+ParticleFrame Wrapped(const ParticleFrame& frame, const PeriodicBox& box)
+{
+  ParticleFrame wrapped;
+  wrapped.ReachPerRadius = frame.ReachPerRadius;
+  for (SkeletonVertex particle : frame.Particles)
+  {
+    box.Wrap(particle.Position);
+    wrapped.Particles.Add(particle);
+  }
+  return wrapped;
+}
 
 // Returns the spacing of a frame's particles (ParticleSpacing.h). With radii: at most the median
 // diameter. If all particles coincide: the median diameter, or 0 without radii.
 double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
 {
-  ParticleFrame wrapped;
-  if (box.Any())
-  {
-    for (SkeletonVertex particle : frame.Particles)
-    {
-      box.Wrap(particle.Position);
-      wrapped.Particles.Add(particle);
-    }
-  }
-  const double spacing = FindSpacing(box.Any() ? wrapped : frame);
+  const double spacing = FindSpacing(box.Any() ? Wrapped(frame, box) : frame);
   if (!frame.HasRadii || frame.Particles.empty())
   {
     return spacing;
@@ -142,6 +149,31 @@ void TargetBuilder::EstimateSpacing(const InputShape& shape)
       "radii.");
   }
   this->ReportSpacing(frame->HasRadii);
+}
+
+// Over a body whose particles overlap, the skin of ANISOTROPIC is up to 0.7 of a spacing inside or
+// beyond the body (diameters of 1.2 to 3 spacings). Only the first frame with enough particles is
+// checked.
+void TargetBuilder::WarnOfLargeRadii(const InputShape& shape)
+{
+  const ParticleFrame* frame = shape.GetParticles();
+  if (this->OverlapKnown || this->Settings.Particles.Model != ParticleModel::Anisotropic ||
+    !frame || !frame->HasRadii || frame->Particles.size() < LeastParticles)
+  {
+    return;
+  }
+  this->OverlapKnown = true;
+  const PeriodicBox box = this->GetBox();
+  const double overlap = FindOverlap(box.Any() ? Wrapped(*frame, box) : *frame);
+  if (overlap > MostOverlap)
+  {
+    std::ostringstream text;
+    text << "The radii are too large: the particles' diameters are " << overlap
+         << " times the distances between neighbours (median), so the skin's volume is wrong. Use "
+         << "radii of half of the spacing, or none, or set ParticleModel to SUM, for balls that "
+         << "overlap.";
+    this->Messages.Say("large radii", text.str());
+  }
 }
 
 // Reports the estimated spacing unless radii or KernelRadius are given.

@@ -56,6 +56,14 @@ TEST(TestParticleSpacing, IsTheDistanceOfALatticesNeighbours)
   EXPECT_NEAR(FindSpacing(sheet), Spacing, 1e-12);
 }
 
+TEST(TestParticleSpacing, OverlapIsADiameterPerSpacing)
+{
+  ParticleFrame frame = MakeLattice(10); // support radius 1
+  EXPECT_NEAR(FindOverlap(frame), 2.0 / Spacing, 1e-9);
+  frame.UseRadii(4.0);
+  EXPECT_NEAR(FindOverlap(frame), 2.0 / Spacing, 1e-9) << "the radii of the array are the same";
+}
+
 // The ball to the third nearest of random points has a median volume of 2.674 over their density.
 TEST(TestParticleSpacing, OfRandomPointsIsNearlyTheRootOfTheirVolume)
 {
