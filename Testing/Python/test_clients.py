@@ -1,5 +1,5 @@
 # ctest: DISPLAY LABELS contract
-"""Files of one run as read by other libraries: the table of Filters/IO/README.md.
+"""Skins as read by other libraries: the table "What other libraries see" of Filters/IO/README.md.
 
 Each test is skipped if its library is not installed (pip install trimesh meshio OpenImageIO).
 """

@@ -306,7 +306,10 @@ class Program(CommandTest):
 
 
 def light_of(colours, found):
-    """Light in the file, ascending, and the corresponding colours of a display."""
+    """Returns the reds of a .glb's COLOR_0, ascending, and the reds of `colours` there.
+
+    COLOR_0 is linear light, `colours` is sRGB; `found` has the arrays of the .glb.
+    """
     order = numpy.argsort(found["COLOR_0"][:, 0])
     return found["COLOR_0"][order, 0], colours[order, 0]
 

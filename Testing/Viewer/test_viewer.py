@@ -232,7 +232,7 @@ class Page(unittest.TestCase):
         else:
             self.assertEqual(saved.GetNumberOfPolys(), skin.GetNumberOfPolys())
             places = [vtk_to_numpy(one.GetPoints().GetData()) for one in (saved, skin)]
-            # An .obj has six digits. The spacing, estimated from .csv files, is 0.1 up to rounding.
+            # The files keep all digits. The viewer estimates the spacing, as 0.1 up to rounding.
             self.assertLess(abs(places[0] - places[1]).max(), 1e-5)
 
     def test_an_error_is_told_and_what_was_made_can_be_seen(self):
