@@ -46,7 +46,7 @@ class FullDisk(CommandTest):
 
     @contextlib.contextmanager
     def no_other_words(self):
-        """Nothing is reported by objects that are deleted."""
+        """Checks that no object raises an exception when deleted; Python would only print it."""
         with mock.patch.object(sys, "unraisablehook") as hook:
             yield
         hook.assert_not_called()

@@ -1,5 +1,6 @@
 # ctest: LABELS exact
-"""The node scheme over particles with an exact skin, and its bytes in any order of requests.
+"""Tests the node scheme over particles: skins of known size or shape, and the same bytes for any
+order of requests, number of threads, restart and instruction set.
 
 Run: python3 test_nodes.py
 """
