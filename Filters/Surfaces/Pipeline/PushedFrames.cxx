@@ -7,7 +7,9 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
+#include "vtkInformationExecutivePortKey.h"
 #include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 
@@ -76,11 +78,12 @@ PushedFrames::PushedFrames(vtkAlgorithm* filter)
 {
 }
 
-// Breaks the reference cycle of the producer and its executive: VTK's garbage collector does not
-// find this cycle when it deletes the filter.
+// Breaks the reference cycles of the producer, its executive and its port's information: VTK's
+// garbage collector does not find these cycles when it deletes the filter.
 PushedFrames::~PushedFrames()
 {
   this->Producer->SetOutput(nullptr);
+  vtkExecutive::PRODUCER()->Remove(this->Producer->GetExecutive()->GetOutputInformation(0));
   this->Producer->SetExecutive(nullptr);
 }
 

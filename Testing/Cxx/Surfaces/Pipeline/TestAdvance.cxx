@@ -5,6 +5,7 @@
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -373,17 +374,19 @@ TEST(TestAdvance, ResetTrajectoryStartsAnySkinAnew)
 
 TEST(TestAdvance, NothingOutlivesTheFilter)
 {
-  vtkWeakPointer<vtkObject> filter, source, output;
+  vtkWeakPointer<vtkObject> filter, source, executive, output;
   {
     const Filter own = MakePlain();
     ASSERT_TRUE(own->Advance(MakeFrame(0.5), 0.5)) << "a frame";
     ASSERT_TRUE(own->Advance(MakeFrame(1.0), 0.5)) << "the next one";
     filter = own.Get();
     source = own->GetInputAlgorithm(0, 0);
+    executive = own->GetInputExecutive(0, 0);
     output = own->GetOutput();
   }
   EXPECT_FALSE(filter) << "the filter";
   EXPECT_FALSE(source) << "its source of frames";
+  EXPECT_FALSE(executive) << "the executive of the source";
   EXPECT_FALSE(output) << "its output";
 }
 }
