@@ -254,8 +254,12 @@ private:
 template <class Number>
 LatticeMesh Collect(const Skin& skin, double voxelSize)
 {
-  std::vector<Number> points(3 * skin.GetNumberOfPoints());
   LatticeMesh mesh;
+  if (skin.GetNumberOfTriangles() == 0)
+  {
+    return mesh;
+  }
+  std::vector<Number> points(3 * skin.GetNumberOfPoints());
   mesh.Triangles.resize(skin.GetNumberOfTriangles());
   mesh.Points.reserve(skin.GetNumberOfPoints());
   static_assert(sizeof(mesh.Triangles[0]) == 3 * sizeof(std::int64_t),
