@@ -134,14 +134,28 @@ def converter_of_series(images: list[Any]) -> Callable[[Any], Any]:
     if len(numpy.unique(values[numpy.isfinite(values)])) == 2:
         border = numpy.concatenate([_at_border(*one) for one in own])
         mask_level, is_above = _usual_level(values, border)
-        return lambda image: _as_label(image, mask_level, is_above)
+        return _label_converter(mask_level, is_above)
     level, above = level_of_series(images)
     return lambda image: as_level_set(image, level, above)
 
 
-def _as_label(image: Any, level: float, above: bool) -> Any:
-    own, values = _at_pixels(image)
-    return _like(own, "label", (values > level if above else values < level).astype("u1"))
+def _label_converter(level: float, above: bool) -> Callable[[Any], Any]:
+    """Returns a function that converts masks to labels; it warns of the first NaN or infinity."""
+    is_told = False
+
+    def convert(image: Any) -> Any:
+        nonlocal is_told
+        own, values = _at_pixels(image)
+        bad = values.size - numpy.count_nonzero(numpy.isfinite(values))
+        if bad and not is_told:
+            is_told = True
+            warn(
+                f"{bad} of {values.size} values of the image are not finite. In this mask NaN "
+                "counts as outside, and infinity by its sign; replace them by finite values."
+            )
+        return _like(own, "label", (values > level if above else values < level).astype("u1"))
+
+    return convert
 
 
 def _at_pixels(image: Any) -> tuple[Any, Any]:

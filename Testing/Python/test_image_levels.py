@@ -5,7 +5,9 @@ Run: python3 test_image_levels.py
 """
 
 import unittest
+import warnings
 
+import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from active_implicit_surfaces.contours import as_level_set, level_of_series
@@ -82,6 +84,16 @@ class Levels(unittest.TestCase):
             told = " ".join(" ".join(heard.warnings).split())
             wanted = f"{where}: 2 of its {distance.size} values are not finite"
             self.assertEqual(told.count(wanted), 1, told)
+
+    def test_pixels_of_a_mask_that_are_no_numbers_are_told_once(self):
+        mask = numpy.where(INSIDE, 1.0, 0.0)
+        mask[0, 0, 0] = numpy.nan
+        images = [image_of(mask), image_of(mask)]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            list(active.frames(images, fps=25))
+        said = [str(each.message) for each in caught if "not finite" in str(each.message)]
+        self.assertEqual(len(said), 1, said)
 
     def test_what_is_below_zero_stays_inside(self):
         self.check(DISTANCE)
