@@ -215,6 +215,13 @@ class GoingOn(CommandTest):
         pair = [bytes_of(self.folder / name / "s_5.vtp") for name in "ab"]
         self.assertEqual(*pair)
 
+    def test_a_finished_run_has_its_history(self):
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        self.succeed(*self.command, "--resume", "--history", "a.csv")
+        self.succeed(*self.command, "--resume", "--history", "b.csv")
+        histories = [(self.folder / name).read_text() for name in ("a.csv", "b.csv")]
+        self.assertEqual(*histories)
+
     def test_names_may_be_a_pattern_or_a_list(self):
         self.fail_with(1, *self.command)
         (self.folder / "p3.npy").write_bytes(self.fourth)

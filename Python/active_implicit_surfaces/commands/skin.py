@@ -98,6 +98,8 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
     is_kept = outputs.output and not outputs.is_usd
     kept = Resumption(Path(options.output), described, plan.files) if is_kept else None
     first = kept.bind(way, outputs.names, options.resume) if kept else 0
+    if first == len(way) and (options.history or options.plot):
+        way.make(first - 1)  # the saved state's history is available after an update
     sinks = outputs.sinks(way, lambda: _find_view(options, files, kept), options.preset or "water")
     progress = Progress(len(way), first, options.quiet)
     runner.run(way.make, range(first, len(way)), [*sinks, *filter(None, [kept]), progress])
