@@ -66,8 +66,9 @@ class Resumption(Sink):
         properties.put(surface, values)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
-        if heard.errors:  # without what its second part says again, and the filter's own advice
-            said = heard.errors[0].partition(f"loaded from {self.state}: ")[2].partition(";")[0]
+        if heard.errors:  # without the first part, which the second says too, and the own advice
+            said = heard.errors[0].partition(";")[0]
+            said = said.removeprefix(f"No state of a surface can be loaded from {self.state}: ")
             raise OSError(f"{said}; run without --resume to make all skins again.")
         self.view = view
         return done
