@@ -45,10 +45,17 @@ ACTIVE_ALWAYS_INLINE void StoreLanes(float* to, const Lanes& x)
   std::memcpy(to, &x, sizeof x);
 }
 
+/** Copied, because a reference to another type may be read before the lanes are written. */
+ACTIVE_ALWAYS_INLINE LaneMask DigitsOf(const Lanes& x)
+{
+  LaneMask digits;
+  std::memcpy(&digits, &x, sizeof digits);
+  return digits;
+}
+
 ACTIVE_ALWAYS_INLINE Lanes Pick(const LaneMask& condition, const Lanes& yes, const Lanes& no)
 {
-  return reinterpret_cast<Lanes>((condition & reinterpret_cast<const LaneMask&>(yes)) |
-    (~condition & reinterpret_cast<const LaneMask&>(no)));
+  return reinterpret_cast<Lanes>((condition & DigitsOf(yes)) | (~condition & DigitsOf(no)));
 }
 
 ACTIVE_ALWAYS_INLINE Lanes Least(const Lanes& a, const Lanes& b)
@@ -70,7 +77,7 @@ ACTIVE_ALWAYS_INLINE Lanes Size(const Lanes& x)
 {
   constexpr std::int32_t digits = 0x7fffffff;
   const LaneMask all = { digits, digits, digits, digits, digits, digits, digits, digits };
-  return reinterpret_cast<Lanes>(reinterpret_cast<const LaneMask&>(x) & all);
+  return reinterpret_cast<Lanes>(DigitsOf(x) & all);
 }
 
 /** Correctly rounded square roots. */
@@ -97,10 +104,8 @@ ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
 {
   // The initial value divides the exponent by -3. Four steps of Newton's method follow.
   constexpr std::int32_t start = 0x54a2fa8c;
-  LaneMask bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  const Lanes third = __builtin_convertvector(bits, Lanes) * AllLanes(1.f / 3.f);
-  bits = start - __builtin_convertvector(third, LaneMask);
+  const Lanes third = __builtin_convertvector(DigitsOf(x), Lanes) * AllLanes(1.f / 3.f);
+  const LaneMask bits = start - __builtin_convertvector(third, LaneMask);
   Lanes root;
   std::memcpy(&root, &bits, sizeof root);
   for (int step = 0; step < 4; ++step)
