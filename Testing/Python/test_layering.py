@@ -2,8 +2,8 @@
 """Rules of inclusion: the rooms of Filters are one stack (rooms.py), and includes run downwards.
 
 An include names its room: `#include "Leaves/LeafTable.h"`. Some rooms are private to their module.
-Prints the floors of the present tree. Each rule is first checked to find a violation, in a tree
-made for that.
+Prints the floors of the present tree. Most rules are also tested on a small tree that breaks the
+rule.
 """
 
 import re

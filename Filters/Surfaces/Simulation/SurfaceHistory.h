@@ -37,8 +37,8 @@ public:
   void Interrupt();
   void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 
-  // Records the band at a time, and the work since the previous row. If the band is a part, the
-  // call is collective, and only rank 0 records the parts of the skin.
+  // Records the state of the band, and the work since the previous row. Collective if the band is
+  // partitioned among ranks: then only rank 0 gets the measures of the skin.
   void Record(std::size_t row, const NarrowBand& band, const RecordedState& moment);
 
   // Returns the fraction of the target outside the skin in a row; NaN without such a row.

@@ -1,5 +1,5 @@
-// Exact controls on surfaces that are not smooth: creases, parts that meet, thin sheets. Includes
-// the error if a potential diverges.
+// Exact control of volume or area on surfaces that are not smooth: creases, parts that meet, thin
+// sheets. A potential that diverges is an error.
 
 #include "Support/SurfaceMeasures.h"
 
