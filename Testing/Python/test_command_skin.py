@@ -248,8 +248,9 @@ class GoingOn(CommandTest):
 
     def test_damaged_notes_are_told(self):
         self.fail_with(1, *self.command)
-        notes = '{"done": 1, "times": [0], "options": [1], "files": []}'
-        for text in "{", notes, notes.replace("[1]", "{}").replace("[]", "[3]"):
+        notes = {"done": 1, "times": [0], "options": {}, "files": [], "properties": {}}
+        damages = {"options": [1]}, {"files": [3]}, {"properties": {"none": 1}}
+        for text in "{", *(json.dumps({**notes, **damage}) for damage in damages):
             (self.folder / "a" / ".s.state.json").write_text(text)
             self.assertIn("is damaged", self.fail_with(1, *self.command, "--resume"))
 

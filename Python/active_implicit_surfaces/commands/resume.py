@@ -53,7 +53,8 @@ class Resumption(Sink):
             notes = json.loads(self.notes.read_text(encoding="utf-8"))
             done, past, then = int(notes["done"]), [*notes["times"]], dict(notes["options"])
             files, view = [[*file] for file in notes["files"]], notes.get("view")
-            values = dict(notes["properties"])
+            # A preset chooses by the interval and spacing of the series, which may have grown.
+            properties.put(surface, dict(notes["properties"]))
             if view:
                 view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
         except (ValueError, KeyError, TypeError, IndexError) as error:
@@ -62,8 +63,6 @@ class Resumption(Sink):
             ) from error
         self._compare(then, past, times[:done])
         self._compare_files(files)
-        # A preset chooses by the interval and spacing of the series, which may have grown.
-        properties.put(surface, values)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
         if heard.errors:  # without the first part, which the second says too, and the own advice
