@@ -45,7 +45,7 @@ ACTIVE_ALWAYS_INLINE void StoreLanes(float* to, const Lanes& x)
   std::memcpy(to, &x, sizeof x);
 }
 
-/** Copied, because a reference to another type may be read before the lanes are written. */
+/** The digits as integers: a copy, as compilers may read a reference to another type too early. */
 ACTIVE_ALWAYS_INLINE LaneMask DigitsOf(const Lanes& x)
 {
   LaneMask digits;
